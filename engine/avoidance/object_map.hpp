@@ -22,17 +22,18 @@ class ObjectMap {
 
   explicit ObjectMap(const AvoidanceSettings& settings) : settings_{settings} {}
 
-  /// Moves every object to this time, and drops those not seen for too long.
+  /// Moves every object to the time `now_s`, and drops objects not seen for too long.
   void advance(double now_s);
-  /// Takes the echoes of one ping. Precondition: `advance` was called for its time.
+  /// Takes the echoes of one ping. Precondition: `advance` was called for the ping's time.
   void take(std::span<const Echo> ping, const OwnState& own, geo::PlanePoint own_in_water);
 
-  /// Takes an echo of the sea bed. An object just above it stands on the bed, so the vehicle cannot pass
-  /// below.
+  /// Takes an echo of the sea bed. An object just above the echo stands on the bed, so the vehicle cannot
+  /// pass below the object.
   void stand_on(const Echo& bed);
-  /// Adds a patch of surface that needs no confirmation. Precondition: `advance` was called for its time.
+  /// Adds a patch of an object's surface from an echo that is already confirmed. Precondition: `advance` was
+  /// called for the echo's time.
   void add(const Echo& confirmed, geo::PlanePoint vehicle);
-  /// Removes an object; the last one moves to its index.
+  /// Removes the object with index `i`; the last object gets this index.
   void remove(std::size_t i);
 
   [[nodiscard]] std::size_t size() const { return size_; }

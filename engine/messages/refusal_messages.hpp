@@ -155,7 +155,7 @@ inline constexpr auto refusal_kinds = std::to_array<Kind>({
      .slots = {{{"icebergs", 25000}}}},
     {.code = "cancelled", .rank = Rank::note, .text = "the search was cancelled", .hint = "Start it again"},
 
-    // Further findings. If one of these has a hint, it replaces the hint of what closes the route.
+    // Further findings. The hint of one of these replaces the hint of the finding that closes the route.
     {.code = "way-without-icebergs",
      .rank = Rank::note,
      .text = "without the icebergs, a route exists",

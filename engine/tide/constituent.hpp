@@ -35,7 +35,8 @@ struct Constituent {
 /// All constituents of the catalogue, ascending by index.
 [[nodiscard]] std::vector<Constituent> all_constituents();
 
-/// Doodson's six numbers; the fifth is the factor of N' = -N.
+/// Doodson's six numbers, the multipliers of the six astronomical longitudes. The fifth multiplies N' = -N,
+/// where N is the longitude of the moon's ascending node.
 [[nodiscard]] std::array<int, 6> doodson_numbers(Constituent constituent);
 
 /// Angular speed in radians per second.

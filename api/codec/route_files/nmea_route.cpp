@@ -139,8 +139,8 @@ std::vector<geo::LonLat> places_in_order(const Sentences& sentences, const std::
   return places;
 }
 
-/// The routes of the file, repeated ones once; without RTE sentences, one route of all waypoints in their
-/// order.
+/// The routes of the file; a repeated route is taken once. If no RTE sentence lists a waypoint: one route of
+/// all waypoints, in the order of the file.
 ReadRoutes routes_of(const Sentences& sentences) {
   FileRoutes file;
   core::Violations faults;

@@ -17,14 +17,15 @@
 
 namespace floeplan::mission {
 
-/// Shorter holds get no list: the vehicle would be at the surface for about that time at every turn.
+/// Shortest hold that gets a list of its own. In a shorter one the vehicle would be at the surface for about
+/// that time at every turn.
 inline constexpr core::Seconds least_listed_hold{600.0};
 
-/// Options for the flight of a plan's holds.
+/// Says how the vehicle flies the holds of a plan.
 struct HoldOptions {
   core::Metres radius{planning::HoldRules{}.radius};  // hold circle of the plan's request
   vehicle::GliderProfile vehicle{};
-  bool surfaces{true};  // at turns and at intervals, unless the plan passes below ice
+  bool surfaces{true};  // whether it surfaces at turns and intervals; false if the plan passes below ice
   core::Seconds between_surfacings{3.0 * 3600.0};  // interval, as in the vendor's stock missions
   /// For each waypoint: currents from the beginning of its hold to its end, as in HoldFlight::currents. If
   /// empty, the mean currents of the legs before and after are used.
@@ -36,11 +37,11 @@ struct HoldOptions {
 /// Precondition  the plan has this waypoint
 [[nodiscard]] bool is_held_at(const planning::Plan& plan, std::size_t waypoint);
 
-/// Whether the plan has such a hold anywhere.
+/// Whether the plan has a hold that needs a list of its own at any waypoint.
 [[nodiscard]] bool has_holds(const planning::Plan& plan);
 
-/// The currents of each such hold in the form of HoldOptions, every half hour; empty where the data do not
-/// reach.
+/// The currents of each hold that needs a list of its own, every half hour, in the form of
+/// HoldOptions::currents; empty where the data do not reach.
 [[nodiscard]] std::vector<std::vector<geo::VelocityEn>> hold_currents(const ocean::Environment& sea,
                                                                       const planning::Plan& plan,
                                                                       const vehicle::GliderProfile& vehicle);
@@ -53,7 +54,7 @@ struct HoldOptions {
 [[nodiscard]] std::vector<messages::Message> messages_without_holds(const planning::Plan& plan,
                                                                     const std::string& format);
 
-/// The places of both rows of its list.
+/// The places of both rows of the list of a hold at `place`.
 [[nodiscard]] std::vector<geo::LonLat> hold_rows(geo::LonLat place, const HoldLegs& legs);
 
 }  // namespace floeplan::mission

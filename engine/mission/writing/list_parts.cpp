@@ -121,7 +121,8 @@ LastDives last_dives(const planning::Plan& plan, const ListPart& part) {
   return {{fix, end}, mean_current(plan, {std::max(begin, fix - *part.between_fixes), fix})};
 }
 
-/// How far the currents carry the vehicle against what it navigates with, since its last fix.
+/// How far the currents carry the vehicle since its last fix, relative to the current with which it navigates
+/// (`dives.assumed`).
 core::Metres carried_off(const planning::Plan& plan, const ListPart& part, const LastDives& dives) {
   double east_m = 0.0;
   double north_m = 0.0;
@@ -135,7 +136,8 @@ core::Metres carried_off(const planning::Plan& plan, const ListPart& part, const
   return {std::hypot(east_m, north_m)};
 }
 
-/// Position error, were there no fix since the start, at a time on the list's route. Between waypoints it grows evenly.
+/// Position error at `time` on the list's route, as if there had been no position fix since the plan's start.
+/// Linear within each leg; nullopt if the error is unknown at an end of the leg.
 std::optional<core::Metres> error_without_fix_at(const planning::Plan& plan, const ListPart& part,
                                                  core::UtcTime time) {
   const auto& states = plan.surfacing->waypoints;
@@ -149,7 +151,8 @@ std::optional<core::Metres> error_without_fix_at(const planning::Plan& plan, con
   return *before + share_within(plan, leg, {begin, time}) * (*after - *before);
 }
 
-/// Whether the list may end there with room for more than so much.
+/// Whether the list may end at its last waypoint: nothing is above the vehicle there, and the `room` of its
+/// ListEnd is larger than `radius`, or it has no ListEnd.
 bool has_room(const planning::Plan& plan, const ListPart& part, core::Metres (ListEnd::*room)() const,
               core::Metres radius) {
   if (overhead(plan, part.last) != Overhead::open) return false;

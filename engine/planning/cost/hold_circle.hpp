@@ -22,30 +22,31 @@ class HoldCircle {
   /// `sea` is borrowed and must outlive the circle.
   HoldCircle(const Sea& sea, geo::PlanePoint centre);
 
-  /// Whether no permanent closure touches the circle: land, depth, standing zones and icebergs, permanent ice.
+  /// True if nothing permanent closes any part of the circle: land, too shallow water, zones without times,
+  /// icebergs that do not move. False also if the vehicle may be below ice there and its position error has
+  /// no bound.
   [[nodiscard]] bool is_open() const { return is_open_; }
-  /// Whether the vehicle can stay within the circle at `time`: the current is known everywhere in it and at
-  /// most
-  /// `hold_share` of the vehicle's speed, and there is room below the ice.
+  /// Whether the vehicle can stay within the circle at `time`: at all checked points the current is known and
+  /// at most `hold_share` of the vehicle's speed, and there is room below the ice.
   [[nodiscard]] bool is_kept(core::Seconds time) const;
   /// Whether `is_kept` is true at all times with known currents. Precomputed: true is certain, false means
-  /// unknown.
+  /// that it is unknown.
   [[nodiscard]] bool is_always_kept() const;
-  /// When a timed zone or a moving iceberg touches the circle: ascending, disjoint.
+  /// The times at which a timed zone or a moving iceberg touches the circle: ascending, disjoint.
   [[nodiscard]] std::vector<TimeSpan> closed_times() const;
   [[nodiscard]] bool is_below_ice() const { return is_below_ice_; }
 
  private:
   const Sea& sea_;
   geo::PlanePoint centre_;
-  bool is_below_ice_;  // at some time
+  bool is_below_ice_;  // the centre may be below ice at some time
   core::Metres radius_;
   std::array<geo::PlanePoint, 5> looks_;
   bool is_open_;
 };
 
-/// Strongest current in which a vehicle can hold, as a share of its speed through water.
-/// A judgement: the rest of the speed brings the vehicle back to the centre.
+/// Strongest current in which a vehicle can hold, as a share of its speed through water. A judgement: with
+/// the rest of its speed the vehicle comes back to the centre.
 inline constexpr double hold_share = 0.8;
 
 }  // namespace floeplan::planning::cost

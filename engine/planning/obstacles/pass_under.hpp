@@ -18,16 +18,17 @@ namespace floeplan::planning::obstacles {
 /// Threads  const members may be called from several threads at once
 class PassUnder {
  public:
-  /// `bed`  null: every depth counts as deep enough
+  /// `bed`  depths of the sea bed; null: every depth counts as deep enough
   PassUnder(const IcebergRules& rules, const vehicle::GliderProfile& vehicle,
             std::shared_ptr<const BedCells> bed);
 
   /// The keel and the upper turn below it. Empty if the rules do not allow to pass under the berg, or if the
   /// vehicle cannot dive deep enough.
   [[nodiscard]] std::optional<Keel> keel_of(const ocean::Iceberg& iceberg) const;
-  /// Whether the sea is deep enough here for dives that turn at this depth.
+  /// Whether the sea at `point` is deep enough for dives whose upper turn is at `upper_turn`.
   [[nodiscard]] bool has_room(geo::PlanePoint point, core::Metres upper_turn) const;
-  /// Whether the sea is deep enough for such dives all along the straight line from a to b.
+  /// Whether the sea is deep enough for dives whose upper turn is at `upper_turn`, all along the straight
+  /// line from `a` to `b`.
   [[nodiscard]] bool has_room_along(geo::PlanePoint a, geo::PlanePoint b, core::Metres upper_turn) const;
 
  private:

@@ -74,11 +74,11 @@ constexpr Strategy strategies[] = {
      plan_on_more_grids},
     // Via points in any order: plan the orders with the earliest estimated arrival.
     {"order of visits", [](const Task& task) { return task.request.via_in_best_order; }, plan_survey},
-    // Adds messages about members; plans nothing itself.
+    // The request asks for members: the rows below plan; add messages if the request has no effect.
     {"word on the members", asks_for_members, plan_and_tell_of_members},
     // No escape route: plan with tighter limits on the time without surfacing.
     {"more surfacings", may_surface_more_often, plan_surfacing_more_often},
-    // Several currents: plan in each member.
+    // The currents are several forecasts (members): plan in each of them.
     {"members", is_uncertain, plan_uncertain},
     // A weight on encounters with icebergs: plan without it and with it.
     {"fewer encounters", [](const Task& task) { return task.request.objective().of_encounters != 0.0; },

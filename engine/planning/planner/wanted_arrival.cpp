@@ -209,7 +209,8 @@ class LatestDeparture {
     }
   }
 
-  /// A rough lower bound of the travel time: a quarter of the best plan's, for strong currents from astern.
+  /// A rough lower bound of the travel time: a quarter of the best plan's travel time, in case of strong
+  /// currents from astern; zero without a best plan.
   [[nodiscard]] core::Seconds least_travel_time() const {
     if (!best_) return core::Seconds{0.0};
     return 0.25 * best_->travel_time();
@@ -219,15 +220,16 @@ class LatestDeparture {
     return messages::plan_message<"early-arrival">(left(*best_).count() / 3600.0);
   }
 
-  /// The message for a plan that is in time by the objective over all members, but not in the first
-  /// member's currents.
+  /// The message for a plan that arrives in time by the mean or quantile over all members, but too late in
+  /// the currents of the first member.
   [[nodiscard]] messages::Message late() const {
     const bool is_quantile = request_.uncertainty.objective == RobustObjective::quantile;
     return messages::plan_message<"late-in-first-currents">(
         best_->arrival, is_quantile ? "quantile" : "mean", arrival_that_counts(*best_, request_.uncertainty));
   }
 
-  /// The reason why no departure is in time. If the earliest departure is in time after all, its plan.
+  /// The reason why no departure is in time; or the plan of the earliest departure, if that is in time after
+  /// all.
   Result<Plan> explained() {
     auto earliest =
         try_to_plan(environment_, leaving_at(request_, request_.depart), stop_, parts_.next(), executor_);

@@ -9,14 +9,15 @@
 namespace floeplan::planning::publish {
 namespace {
 
-/// Share of the speed through the water. A vehicle that needs more has too small a reserve for forecast
-/// errors. A judgement.
+/// Share of the speed through the water that a route may need without a warning. A vehicle that needs more
+/// has too small a reserve for forecast errors. A judgement.
 constexpr double hardly_enough = 0.95;
-/// Share of the depths flown. If less than this lies below the known currents, the mean hardly changes. A
-/// judgement.
+/// Share of the depths flown that may lie below the known currents without a warning: a smaller part hardly
+/// changes the mean current. A judgement.
 constexpr double most_unknown = 0.25;
 
-/// Calls `visit(point, length)` for pieces of a route that are shorter than the cells of current models.
+/// Divides each leg of a route into equal pieces of at most 500 m (shorter than the cells of current models)
+/// and calls `visit(middle, length)` for each piece.
 template <class Visit>
 void for_each_stretch_of(const std::vector<geo::PlanePoint>& route, const Visit& visit) {
   constexpr double step_m = 500.0;

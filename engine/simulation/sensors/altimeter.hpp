@@ -29,9 +29,9 @@ struct AltimeterSettings {
   double width_rad{0.2094395};         // full width of its conical beam, 12 degrees
   double forward_cant_rad{0.4537856};  // tilt of the beam from the hull's down axis towards the bow
   double sea_bed_strength_db{-27.0};   // as for the sonar
-  double threshold_db{12.0};           // of an echo above the noise; practically no false alarms
+  double threshold_db{12.0};           // least level of an echo above the noise; hardly any false alarms
   double range_sigma_m{0.1};           // error of a range: the vendor's resolution
-  double false_echo_share{0.0};        // of pings with an echo at a random range: bubbles, fish
+  double false_echo_share{0.0};        // share of pings with an echo at a random range, as from fish
   SoundWater water{};
 
   [[nodiscard]] core::Violations violations() const;

@@ -12,11 +12,11 @@
 namespace floeplan::simulation {
 namespace {
 
-constexpr double most_rays = 4000.0;          // a ping then takes well under a millisecond
-constexpr double rays_in_height = 5.0;        // over the height of a beam: faces of a fifth of it are hit
+constexpr double most_rays = 4000.0;          // with at most so many, a ping takes under 1 ms
+constexpr double rays_in_height = 5.0;        // number over a beam's height: they hit faces of a fifth of it
 constexpr double least_false_alarm = 1e-12;   // probability per cell if no false alarms are wanted
 constexpr float loudest_neighbour = 3.98F;    // 6 dB: if louder by more, the echo is the neighbour's
-constexpr double faintest_echo = 0.05;        // of the background: below, as likely as a false alarm
+constexpr double faintest_echo = 0.05;        // share of the noise; detected hardly more than noise alone
 constexpr std::size_t surface_entries = 256;  // of the table of surface backscattering
 constexpr double right_angle = std::numbers::pi / 2.0;
 

@@ -45,15 +45,15 @@ struct YoOrders {
 /// Source   the codes of start_when and end_action are those of the vendor's data dictionary of firmware 10.5
 struct SurfaceOrders {
   enum class Cause {
-    any_idle,       // 1: list or yo has ended
+    any_idle,       // 1: the list or the yo has ended
     yo_idle,        // 2 and 4: the yo has ended
     list_idle,      // 3: the list has ended
-    after_end,      // 6: this time after the last surfacing
-    near_waypoint,  // 7
-    waypoint_hit,   // 8
-    every,          // 9 and 10: this time after it last began
-    no_contact,     // 12
-    inflections     // 16: more than this number of turns since the last surfacing
+    after_end,      // 6: `interval` after the end of this order's last surfacing
+    near_waypoint,  // 7: the waypoint is nearer than `distance`
+    waypoint_hit,   // 8: a waypoint was reached
+    every,          // 9 and 10: `interval` after the begin of this order's last surfacing
+    no_contact,     // 12: no contact for `interval`
+    inflections     // 16: more than `turns` turns since the last surfacing
   };
   Cause cause{};
   core::Seconds interval{};  // for after_end, every and no_contact

@@ -11,19 +11,20 @@
 namespace floeplan::ingest {
 
 /// Finds and reads tables that a model has at the centres of its staggered grid (ROMS' rho points).
-/// Shape  [row][column] of all centres of the staggering
+/// Shape  each table is [row][column], one value per cell centre of the staggered grid
 class CentreTables {
  public:
   /// `variable` is the first component; if the components are collocated, its points are the centres.
   CentreTables(const Staggering& staggering, const NetcdfVariable& variable, PlaneDimensions plane);
 
-  /// Whether a variable's last two dimensions can be those of the centres.
+  /// Whether the last two dimensions of `table` can be those of the cell centres.
   [[nodiscard]] bool fits(const NetcdfVariable& table) const;
-  /// Reads a table's last two dimensions at the indices `leading` of the others. Scale is applied; NaN for
-  /// the fill value and for centres that the table does not have.
+  /// Reads the last two dimensions of a table, at the indices `leading` of its other dimensions. Scale is
+  /// applied; NaN for the fill value and for centres that the table does not have.
   [[nodiscard]] Checked<std::vector<double>> read(const NetcdfVariable& table,
                                                   const std::vector<std::uint64_t>& leading) const;
-  /// Angle of the grid's first axis, radians anticlockwise from east; empty if the file has none.
+  /// Angle of the grid's first axis at each cell centre, radians anticlockwise from east; empty if the file
+  /// has none.
   [[nodiscard]] Checked<std::vector<double>> angle(const NetcdfFiles& files) const;
   [[nodiscard]] Checked<WaterMask> mask(const NetcdfFiles& files) const;
 

@@ -45,7 +45,8 @@ class PointTable {
   }
   [[nodiscard]] const NetcdfVariable& variable() const { return *table_; }
 
-  /// The lengths at one time, metres; NaN where missing.
+  /// The table's values (depths or elevations) at all points at one time, converted to metres; NaN where
+  /// missing.
   [[nodiscard]] Checked<std::vector<double>> read(std::size_t time) const {
     std::vector<std::uint64_t> start;
     std::vector<std::size_t> count;

@@ -11,15 +11,15 @@ namespace floeplan::ingest {
 /// The kind of zone in a text: "no-go", "keep out" and the like, in any accepted spelling.
 [[nodiscard]] std::optional<ocean::ZoneKind> zone_kind_of(std::string_view text);
 
-/// The rule in an attribute whose name has the meaning `meaning`; empty if it states none. Ambiguous words
-/// ("exclusion") count only if the name says that a kind of zone follows.
+/// The zone rule that an attribute's value `text` states; empty if none. An ambiguous word ("exclusion")
+/// counts only if the attribute's name, by `meaning`, announces the kind of a zone.
 [[nodiscard]] std::optional<ocean::ZoneKind> stated_rule(ocean::AttributeMeaning meaning,
                                                          std::string_view text);
 
 /// Whether a text stands for an unlimited period: "permanent", "always" and the like.
 [[nodiscard]] bool is_without_end(std::string_view text);
 
-/// "yes", "true" and the like; "valid: true" states no period.
+/// Whether a text says yes: "yes", "true" and the like. An attribute such as "valid: true" states no period.
 [[nodiscard]] bool is_yes(std::string_view text);
 
 /// Whether an attribute, by its name and value, states the rule, times or depths of a zone.

@@ -28,7 +28,7 @@ class BlobCodec {
   BlobCodec& operator=(const BlobCodec&) = delete;
   ~BlobCodec();
 
-  /// All overloads return a view of scratch memory, which is valid until the next call.
+  /// All overloads return a view of scratch memory, which is valid until the next call of `pack`.
   [[nodiscard]] std::span<const std::byte> pack(std::span<const float> values);
   [[nodiscard]] std::span<const std::byte> pack(std::span<const double> values);
   [[nodiscard]] std::span<const std::byte> pack(std::span<const std::uint32_t> values);
@@ -36,8 +36,8 @@ class BlobCodec {
   /// Packs the samples as counts of steps if every sample is a multiple of the step; otherwise as floats.
   [[nodiscard]] std::span<const std::byte> pack(std::span<const float> values, const SampleSteps& steps);
 
-  /// A view of scratch memory, valid until the next call. Not a copy, because fields consist of thousands of
-  /// such blobs.
+  /// Unpacks floats. Returns a view of scratch memory, which is valid until the next call of `unpack_floats`.
+  /// Not a copy, because fields consist of thousands of such blobs.
   [[nodiscard]] std::span<const float> unpack_floats(std::span<const std::byte> blob, std::size_t count);
   [[nodiscard]] std::vector<double> unpack_doubles(std::span<const std::byte> blob, std::size_t count);
   [[nodiscard]] std::vector<std::uint32_t> unpack_numbers(std::span<const std::byte> blob, std::size_t count);

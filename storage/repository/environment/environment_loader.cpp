@@ -83,8 +83,8 @@ void cite_sightings(EnvironmentDraft& draft, const KnownIcebergs& known) {
   if (draft.environment.datasets.size() > 1) draft.tell(messages::data_message<"icebergs-joined">(joined));
 }
 
-/// Adds the icebergs. If the vehicle may leave later than at `depart`, sightings up to the latest time count.
-/// A sighting counts if it is young enough for the earliest departure.
+/// Adds the icebergs. If the departure is not fixed and the query names no time for the sightings, sightings
+/// up to the end of the period to cover (`until`) are used. Their age is measured at the earliest departure.
 void add_icebergs(EnvironmentDraft& draft) {
   const EnvironmentQuery& query = draft.query;
   const core::UtcTime as_of = sightings_as_of(query);

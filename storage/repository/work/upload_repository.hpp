@@ -25,7 +25,7 @@ struct Upload {
 /// the beginning, at most 100 characters with the ending kept; "upload" if nothing is left.
 [[nodiscard]] std::string plain_file_name(const std::string& name);
 
-/// Stores uploads in one folder. Each upload is a folder with the bytes and a description. It exists
+/// Stores uploads in one folder. Each upload is a folder with the bytes and a description. An upload exists
 /// completely or not at all, even if the process or the machine stops.
 /// Threads  any number at once
 class UploadRepository {
@@ -34,7 +34,7 @@ class UploadRepository {
 
   static constexpr core::Seconds lifetime{24.0 * 3600.0};
 
-  /// Moves a file from the same disk into the store of uploads.
+  /// Moves a file into the store of uploads. Precondition: the file is on the same disk as the store.
   Upload add(const std::filesystem::path& file, const std::string& name, const std::string& sha256,
              const std::string& owner, core::UtcTime now);
   /// The upload with this id; nullopt if the id is unknown or invalid, or the description is damaged.
@@ -45,9 +45,9 @@ class UploadRepository {
   [[nodiscard]] std::filesystem::path file_of(const Upload& upload) const {
     return folder_ / upload.id / "data";
   }
-  /// Removes an upload. False if it does not exist.
+  /// Removes an upload. False if the upload does not exist.
   bool remove(const std::string& id);
-  /// Removes uploads that are too old, and what killed processes left.
+  /// Removes uploads whose lifetime has ended, and unfinished files of killed processes.
   void remove_expired(core::UtcTime now);
 
  private:

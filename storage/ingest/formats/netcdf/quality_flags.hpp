@@ -19,7 +19,7 @@ struct FlagMark {
 struct QualityFlags {
   const NetcdfVariable* variable{};
   std::vector<FlagMark> bad{};                // values of the flag that forbid the use of the data
-  std::vector<FlagMark> doubtful{};           // values of the flag that leave the data in use
+  std::vector<FlagMark> doubtful{};           // values that mark data as doubtful; the data are still used
   std::optional<messages::Message> remark{};  // set if the meaning of the flags is itself uncertain
 
   [[nodiscard]] bool forbids(double flag) const;
@@ -30,9 +30,9 @@ struct QualityFlags {
 /// its ancillary_variables whose name or attributes make them flags, and the overall flag of a radar file.
 /// Meanings such as bad, failed or missing make a value bad, meanings such as suspect make it doubtful. If
 /// the flags have no meanings, 3 (doubtful in QARTOD), 4 and 9 are bad, and the remark says so.
-/// Source   OceanSITES data format reference manual 1.4, table 2: 3 bad but correctable, 4 bad, 9 missing; IOOS QARTOD
-///          data flags manual 1.2: 3 suspect, 4 fail, 9 missing; CF conventions 1.8, section 3.5: values and masks;
-///          European HF radar node data model 3.0: QCflag
+/// Source   OceanSITES data format reference manual 1.4, table 2: 3 bad but correctable, 4 bad, 9 missing;
+///          IOOS QARTOD data flags manual 1.2: 3 suspect, 4 fail, 9 missing; CF conventions 1.8, section 3.5:
+///          values and masks; European HF radar node data model 3.0: QCflag
 [[nodiscard]] std::vector<QualityFlags> flags_named_by(const NetcdfFile& file,
                                                        const NetcdfVariable& variable);
 

@@ -33,7 +33,7 @@ constexpr Meaning methods[]{{"standard_deviation", Statistic::deviation},
                             {"mean_absolute_value", Statistic::mean_of_sizes},
                             {"mean_of_upper_decile", Statistic::percentile}};
 
-/// Parts of a name, compared as a whole: "uo_std".
+/// Words between the underscores of a name; a word must match entirely ("std" in "uo_std").
 constexpr Meaning name_parts[]{{"std", Statistic::deviation},
                                {"stdev", Statistic::deviation},
                                {"stddev", Statistic::deviation},
@@ -180,7 +180,8 @@ Statistic statistic_in_standard_name(const NetcdfVariable& variable) {
   return statistic_in_name(variable.attribute("standard_name"));
 }
 
-/// The statistic of any axis: a spatial mean of a maximum over time is not the quantity, either.
+/// The statistic that the cell methods state for any axis: a spatial mean of a maximum over time is not the
+/// quantity itself, either.
 Statistic statistic_in_cell_methods(const NetcdfVariable& variable) {
   for (const CellMethod& cell : cell_methods_of(variable)) {
     Statistic found = find_whole(methods, cell.method);

@@ -123,8 +123,8 @@ TimeTexts time_of(const Element& feature) {
   return {};
 }
 
-/// The narrower of two time spans. A text that is not a time is kept, so that the reader of the attributes
-/// refuses it.
+/// The time common to both spans: the later begin and the earlier end. A text that is not a time is kept, so
+/// that the attribute reader refuses it later.
 TimeTexts narrower(const TimeTexts& outer, const TimeTexts& inner) {
   const auto of_both = [](const std::string& one, const std::string& other, bool is_end) {
     const auto of_one = stated_period(one);

@@ -25,8 +25,7 @@ struct Zarr3Array {
 /// _FillValue.
 /// Returns  nullopt for a group, and for an array whose values are not numbers
 /// Source   Zarr core specification version 3.0 and version 2; _FillValue of floating-point arrays in base64,
-///          as xarray
-///          writes it
+///          as xarray writes it
 /// Errors   a damaged description; codecs, keys or chunks that version 2 does not have, especially shards
 [[nodiscard]] Checked<std::optional<Zarr3Array>> zarr3_array(std::string_view text);
 

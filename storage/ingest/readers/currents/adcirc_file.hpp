@@ -24,7 +24,8 @@ struct AdcircHead {
   std::size_t nodes{};
 };
 
-/// The head of a file, from its first bytes; nullopt for any other text.
+/// Parses the head of an ADCIRC file (mesh or output) from its first bytes; nullopt if the text is not such a
+/// head.
 [[nodiscard]] std::optional<AdcircHead> adcirc_head(std::string_view text);
 
 /// Reads nodes and triangles of a fort.14 file; its boundaries are not read.
@@ -36,20 +37,21 @@ struct AdcircHead {
 /// Threads  one thread at a time
 class AdcircOutput {
  public:
-  /// Reads the file once to its end and remembers the position of each time.
+  /// Reads the file once to its end and remembers where in the file (offset) the values of each time begin.
   /// Errors   lines that are not values; too few or too many lines; times that do not increase
   [[nodiscard]] static Checked<AdcircOutput> open(const std::filesystem::path& file);
 
   [[nodiscard]] const AdcircHead& head() const { return head_; }
-  /// Times of the output, in seconds since the start of the run.
+  /// Times of the output, in seconds since the start of the model run.
   [[nodiscard]] const std::vector<double>& seconds() const { return seconds_; }
+  /// The values of the file at the time with index `time`.
   /// Shape   [component][node]; NaN where the file marks a node as dry
   /// Errors  the file can no longer be read
   [[nodiscard]] Checked<std::vector<std::vector<float>>> read(std::size_t time) const;
 
  private:
   struct Record {
-    std::streamoff start{};  // offset of its first line of values
+    std::streamoff start{};  // offset in the file of the first line of values
     std::size_t first_line{};
     std::size_t lines{};
     double otherwise{};  // value at nodes without a line

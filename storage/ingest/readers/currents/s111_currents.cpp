@@ -67,8 +67,8 @@ double edition_of(const Hdf5Group& file) {
                                  : parse_number(product.substr(at + marker.size(), digits)).value_or(today);
 }
 
-/// The reference of the depth. Since edition 1.2 the vertical datum gives it; before, the code
-/// depthTypeIndex.
+/// The reference from which the depth is measured. Since edition 1.2 the vertical datum gives it; in earlier
+/// editions the code depthTypeIndex.
 Reference reference_of(const Hdf5Group& file) {
   constexpr double sea_floor = 47.0;  // S-100 edition 5, part 17, vertical and sounding datums
   constexpr double sea_surface = 48.0;
@@ -92,7 +92,7 @@ Checked<Level> s111_level(const Hdf5Group& file) {
   if (!stated) return Level{};
   if (!std::isfinite(*stated)) return refuse(messages::ingest_hdf5_message<"s-depth-missing">());
   const double depth_m =
-      std::abs(*stated);  // below a surface it should be negative, but not all producers write it so
+      std::abs(*stated);  // a depth below the surface should be negative, but not all producers do so
   switch (reference_of(file)) {
     case Reference::surface: return Level{depth_m};
     case Reference::layer:
