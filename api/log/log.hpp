@@ -21,7 +21,7 @@ void info(std::initializer_list<std::string_view> parts) noexcept;
 void warn(std::initializer_list<std::string_view> parts) noexcept;
 void error(std::initializer_list<std::string_view> parts) noexcept;
 
-/// A duration or another measured value with this number of decimals.
+/// Text of `value`, a duration or another measured value, with `digits` decimals.
 [[nodiscard]] std::string decimals(double value, int digits);
 
 }  // namespace floeplan::log

@@ -30,7 +30,7 @@ class DiscSet {
  public:
   DiscSet(std::span<const Obstacle> obstacles, const LookAhead& look);
 
-  /// The first time of a move within a disc; empty: never.
+  /// The first time at which a vehicle on `move` is within a disc; empty: never.
   [[nodiscard]] std::optional<double> first_touch(const motion::EvenMove& move) const;
   /// Whether a move touches any disc; faster than `first_touch`.
   [[nodiscard]] bool is_touched(const motion::EvenMove& move) const;

@@ -76,7 +76,8 @@ class TrackedObject {
   void stand_on(const Echo& bed);
   /// Number of consecutive pings with beams above the top that found nothing.
   [[nodiscard]] int looks_above() const { return looks_above_; }
-  /// Counts such a ping. `least_top_m`: only tops deeper than this had a row of beams above them.
+  /// Counts a ping that found nothing above the top, if the top is deeper than `least_top_m`: only then did a
+  /// row of beams look above it. Otherwise the count begins again at zero.
   void look_above(double least_top_m);
 
  private:

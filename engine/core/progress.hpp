@@ -13,9 +13,9 @@ namespace floeplan::core {
 /// whole work that is done, 0 to 1. The callback must be cheap; it is never called from an innermost loop.
 using ProgressCallback = std::function<void(std::string_view stage, double fraction)>;
 
-/// The progress of a part of the work, scaled to the progress of the whole between `from` and `to`. All its stages are reported
-/// as `stage`, or unchanged if that is empty. `whole` and `stage` are borrowed and must outlive the result. If `whole` is
-/// empty, so is the result.
+/// The progress of a part of the work, scaled to the progress of the whole between `from` and `to`. All
+/// stages of the part are reported as `stage`, or unchanged if `stage` is empty. `whole` and `stage` are
+/// borrowed and must outlive the result. If `whole` is empty, so is the result.
 inline ProgressCallback part_of(const ProgressCallback& whole, std::string_view stage, double from,
                                 double to) {
   if (!whole) return {};
@@ -24,9 +24,9 @@ inline ProgressCallback part_of(const ProgressCallback& whole, std::string_view 
   };
 }
 
-/// Progress that never falls and stays between 0 and 1. Work may have to start again, on another grid or in a wider area; its
-/// share then stands still until it exceeds what was reported before.
-/// `listener` is borrowed and must outlive the result; if it is empty, the result does nothing.
+/// Progress that never falls and stays between 0 and 1. Work may have to start again, on another grid or in a
+/// wider area; its share then stands still until it exceeds what was reported before. `listener` is borrowed
+/// and must outlive the result; if it is empty, the result does nothing.
 inline ProgressCallback never_falling(const ProgressCallback& listener) {
   if (!listener) return [](std::string_view, double) {};
   return [&listener, most = 0.0](std::string_view stage, double fraction) mutable {
@@ -35,7 +35,8 @@ inline ProgressCallback never_falling(const ProgressCallback& listener) {
   };
 }
 
-/// Divides the progress of work whose number of parts is not known in advance: each part gets half of the rest.
+/// Divides the progress of work whose number of parts is not known in advance: each part gets half of the
+/// rest.
 class PartsOfProgress {
  public:
   /// `whole` and `stage` are borrowed and must outlive the parts.

@@ -35,7 +35,7 @@ class SearchTree {
   explicit SearchTree(std::size_t vertices) : arrival_s_(vertices, never), step_(vertices, no_step) {}
 
   [[nodiscard]] bool is_reached(Vertex v) const { return arrival_s_[v] < never; }
-  /// Infinite if not reached.
+  /// Earliest arrival at `v`, in seconds; infinite if `v` was not reached.
   [[nodiscard]] double arrival_s(Vertex v) const { return arrival_s_[v]; }
   [[nodiscard]] bool has_predecessor(Vertex v) const { return step_[v] != no_step; }
   /// Index of the step that reached `v`. Valid only if `has_predecessor(v)`.

@@ -45,7 +45,8 @@ struct SampledStretch {
   }
 };
 
-/// An edge divided into such stretches, none longer than the scales on which the current changes.
+/// An edge divided into stretches on which the current is sampled, none longer than the scales on which the
+/// current changes.
 template <PlaneCurrent Current>
 class SampledLine {
  public:

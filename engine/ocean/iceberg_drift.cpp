@@ -15,11 +15,12 @@ namespace {
 constexpr core::Seconds hour{3600.0};
 /// Weather that pushed a berg aside lasts about this long.
 constexpr core::Seconds fading{24.0 * 3600.0};
-/// Sightings closer in time show mainly their own errors (kilometres). Sightings further apart show past
-/// weather instead of the next day's drift.
+/// Shortest and longest time between two sightings from which a drift is derived. Sightings closer in time
+/// show mainly their own errors (kilometres). Sightings further apart show past weather instead of the drift
+/// of the next day.
 constexpr core::Seconds shortest_observation{6.0 * 3600.0};
 constexpr core::Seconds longest_observation{72.0 * 3600.0};
-/// Faster than any current: the sightings are of two bergs with one name.
+/// Greatest speed of a drift. A berg that seems to drift faster than any current is two bergs with one name.
 constexpr core::MetresPerSecond fastest_drift{2.0};
 
 geo::VelocityEn mean_velocity(const IcebergFix& from, const IcebergFix& to) {

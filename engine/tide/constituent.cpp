@@ -166,7 +166,7 @@ constexpr std::array compounds{
     Compound{"M12", "6 M2"},
 };
 
-/// Other names of the same constituent.
+/// Pairs of an alternative name of a constituent and its name in the catalogue.
 constexpr std::array<std::pair<const char*, const char*>, 33> aliases{{
     {"NO1", "M1"},
     {"RHO", "RHO1"},

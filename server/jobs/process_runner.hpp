@@ -17,7 +17,7 @@ namespace floeplan::jobs {
 /// The result of a job.
 struct ProcessResult {
   std::string json;       // the results document
-  std::string message{};  // why it contains no route; empty if it does
+  std::string message{};  // why the document contains no route; empty if it contains one
 };
 
 /// Does the work of a job. Flights, departures and ensemble members run on `workers` threads.

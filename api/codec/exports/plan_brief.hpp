@@ -39,13 +39,13 @@ struct BriefPictures {
 
 /// The rows of the brief's table, as text: number, latitude, longitude, ETA, leg, course, speed, depth.
 [[nodiscard]] std::vector<std::vector<std::string>> brief_rows(const planning::Plan& plan);
-/// Names the plan on the page, and when the page was made.
+/// The line that names the plan and says when the page was made.
 [[nodiscard]] std::string brief_origin(const BriefNotes& notes);
 /// The caption of the map, which explains its signs.
 [[nodiscard]] std::string brief_caption(const MapPicture& picture);
 /// The sentences above the table: vehicle, times, distance, clearances.
 [[nodiscard]] std::vector<std::string> brief_facts(const planning::Plan& plan, const BriefNotes& notes);
-/// What the lines of the section are, as a line below it.
+/// The line below the section that explains its curves.
 inline constexpr const char* section_caption =
     "Ice above the route, by waypoint: draft of level ice (thick), its deepest keels (dotted), and how deep "
     "the dives of "

@@ -20,19 +20,22 @@ struct QuotaUse {
 
 [[nodiscard]] QuotaUse use_of(const Context& context, const std::string& owner);
 
-/// The refusal (403) of a file of this size that exceeds the caller's quotas. It states the quota, its use,
-/// and how to free space. nullopt if there is space.
+/// The refusal (403) of an upload of `bytes` that exceeds the caller's quotas. The refusal states the quota,
+/// its use, and how to free space. nullopt if there is space.
 [[nodiscard]] std::optional<Response> refuse_upload(const Context& context, const Request& request,
                                                     const QuotaUse& used, std::uint64_t bytes);
 
-/// The same before the body is read, by the length in its header.
+/// The refusal (403) of an upload before its body is read, by the length in its header. nullopt if there is
+/// space.
 [[nodiscard]] std::optional<Response> refuse_coming_upload(const Context& context, const Request& request);
 
-/// The same for ingesting these uploads; their size counts in addition to that of the stored uploads.
+/// The refusal (403) to ingest `uploads`, if their size and that of the caller's dataset files, plans and
+/// simulations together exceed the quota. nullopt if there is space.
 [[nodiscard]] std::optional<Response> refuse_ingest(const Context& context, const Request& request,
                                                     const std::vector<std::string>& uploads);
 
-/// The same for a plan or a simulation. Its size is not known yet, so it is refused only if no space is left.
+/// The refusal (403) of a plan or a simulation. Its size is not known yet, so it is refused only if no space
+/// is left. nullopt if there is space.
 [[nodiscard]] std::optional<Response> refuse_document(const Context& context, const Request& request);
 
 }  // namespace floeplan::routes

@@ -18,8 +18,8 @@ struct ShownCredential {
 /// the URL, which logs and browser histories store.
 [[nodiscard]] std::optional<ShownCredential> shown_credential(const Request& request);
 
-/// The Set-Cookie header of a login that is valid for `seconds`; with an empty text and 0 seconds it logs
-/// out.
+/// The Set-Cookie header of a login that is valid for `seconds`. With an empty text and 0 seconds the header
+/// logs the user out.
 [[nodiscard]] std::string login_cookie(const std::string& text, int seconds, bool secure);
 
 }  // namespace floeplan::routes

@@ -67,7 +67,8 @@ struct EdrShape {
                                                        const geo::BoundingBox& area, core::UtcTime from,
                                                        core::UtcTime to, const std::vector<double>& depths_m);
 
-/// The same around one place. `kept`: cache of blocks of currents; null: no cache.
+/// Reads the part of a dataset around one place, for the period and the requested depths (none: all depths).
+/// Null if there are no data. `kept`: cache of blocks of currents; null: no cache.
 [[nodiscard]] std::unique_ptr<EdrField> load_edr_field_at(sql::Connection& db, const EdrShape& shape,
                                                           geo::LonLat place, core::UtcTime from,
                                                           core::UtcTime to,

@@ -38,7 +38,7 @@ class EdrRequest {
   }
   [[nodiscard]] core::Violations violations() const;
 
-  /// Reads the place, which is required and must be of one of the kinds; its Z is a depth.
+  /// Reads the place, which is required and must be of one of the `kinds`; the Z of the place is a depth.
   [[nodiscard]] std::optional<codec::WktGeometry> coords(std::initializer_list<codec::WktKind> kinds,
                                                          const std::string& rule);
   /// Reads the box of a cube query; a box of six numbers also gives the depths.

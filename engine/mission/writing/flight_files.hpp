@@ -14,8 +14,8 @@ struct Surfacing {
   std::string why;
 };
 
-/// Whether the mission surfaces at waypoints and after a time: wherever no rules for ice are given, and with them unless ice or
-/// an iceberg forbids it somewhere on the route, for a mission knows no places.
+/// Whether the mission surfaces at waypoints and after a time: wherever no rules for ice are given, and with
+/// them unless ice or an iceberg forbids it somewhere on the route, for a mission knows no places.
 [[nodiscard]] bool surfaces_on_the_way(const planning::Plan& plan, const MissionSetOptions& options);
 
 /// The surfacings of a mission, in order of priority.
@@ -41,8 +41,8 @@ struct Surfacing {
 /// Interval of surfacings in open water, whatever other surfacings there are.
 [[nodiscard]] core::Seconds time_between_surfacings(const MissionSetOptions& options);
 
-/// The lists of the set, its holds flown by the vehicle and the surfacings of the mission. The plan's route is one with fixes
-/// where the vehicle may surface all along it.
+/// Options for the goto lists of the set: `options.lists` with the vehicle and the surfacings of the holds.
+/// If the vehicle may surface all along the route, the lists also have fixes on the way.
 [[nodiscard]] GotoListOptions list_options(const planning::Plan& plan, const MissionSetOptions& options);
 
 /// The argument files of yo, surface, sample and prepare_to_dive.

@@ -42,20 +42,23 @@ struct ListEnd {
   std::optional<core::Metres> from_ice{};
   core::Metres error{};  // position error at the end of the list: error_of
 
-  /// Room for the radius, if the vehicle is exactly on its route.
+  /// Distance from ice and icebergs, along the route, that is left for the radius of the last row if the
+  /// vehicle is exactly on its route. Infinite if the route passes below none.
   [[nodiscard]] core::Metres room() const;
   [[nodiscard]] core::Metres sure_room() const;  // room that remains with the position error; may be negative
 };
 
-/// Position error where a list ends: the growth since the last fix, and how far the currents of the plan carry the vehicle
-/// against the one that it navigates with. The last fix is that of the list's start, or `between_fixes` before the end. The
-/// vehicle navigates with the mean current over the time between the two fixes before, with that over the list before where
-/// there was no other fix, and with none on the first list. Against currents that it does not know of it is as long under way as
-/// it takes by its own reckoning, if that is longer. Zero for plans that do not tell of their error.
+/// Position error where a list ends: the growth since the last fix, and how far the currents of the plan
+/// carry the vehicle relative to the current with which it navigates. The last fix is at the start of the
+/// list, or `between_fixes` before its end. The vehicle navigates with the mean current over the time between
+/// the two previous fixes; if the list before had no other fix, with the mean current over that list; on the
+/// first list, with none. Against currents unknown to the vehicle, the time under way is the time by its own
+/// reckoning, if that is longer. Zero for plans that do not state their error.
 [[nodiscard]] core::Metres error_of(const planning::Plan& plan, const ListPart& part);
 
-/// How much longer than planned the vehicle is under way on the list, because it navigates with currents that it does not
-/// meet there; with `between_fixes` until the first fix. The ice at its end is judged for the planned time alone.
+/// How much longer than planned the vehicle is under way on the list, because it navigates with currents
+/// other than those that it meets there; with `between_fixes` until the first fix. The ice at the end of the
+/// list is judged for the planned time alone.
 [[nodiscard]] core::Seconds late_by(const planning::Plan& plan, const ListPart& part);
 
 /// Empty if the list's route passes below nothing and no ice is near its end, and for plans of older

@@ -17,7 +17,7 @@
 namespace floeplan::mission {
 
 /// Why a Seaglider must not fly the plan: it surfaces after every dive, and the plan passes below ice or
-/// icebergs, or does not say whether it does. Empty: it may.
+/// icebergs, or does not say whether it does. Empty if a Seaglider may fly the plan.
 [[nodiscard]] std::optional<core::Violation> closed_to_seagliders(const planning::Plan& plan);
 
 /// The plan as a Seaglider `targets` file: every place except the start. Each leads to the next, the last to

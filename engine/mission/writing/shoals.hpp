@@ -25,7 +25,8 @@ struct Shoal {
 [[nodiscard]] std::vector<std::optional<Shoal>> shoals_along(const ocean::Bathymetry& bathymetry,
                                                              const planning::Plan& plan);
 
-/// The shoalest of these places and of the depths stored at the plan's waypoints; empty if no depth is known.
+/// The shoalest place of `shoals` and of the depths stored at the plan's waypoints; empty if no depth is
+/// known.
 [[nodiscard]] std::optional<Shoal> shoalest_of(const planning::Plan& plan,
                                                const std::vector<std::optional<Shoal>>& shoals);
 

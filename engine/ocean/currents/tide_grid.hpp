@@ -52,8 +52,8 @@ class TideGrid {
 
 /// The constants at a place from several models: each constituent from the first model that has it, in the
 /// order of the catalogue of constituents, then the minor constituents inferred from them.
-/// Outside  nullopt if no model has the quantity there, or if one has a constituent of it without a value
-///          there
+/// Outside  nullopt if no model has the quantity at the place, or if a model has a constituent of the
+///          quantity but no value for it at the place
 [[nodiscard]] std::optional<std::vector<tide::HarmonicConstant>> joined_constants(
     const std::vector<TideGrid>& models, TideQuantity quantity, geo::LonLat place);
 

@@ -16,7 +16,7 @@ namespace floeplan::ocean {
 /// Direction of the current component that each point of a mesh carries. Each point carries one of the two
 /// components.
 /// Units  radians counterclockwise from east
-/// Shape  as the points; NaN at points of the other component
+/// Shape  one value per point of the mesh in each member; NaN at points of the other component
 struct ComponentAxes {
   std::vector<float> first_rad;
   std::vector<float> second_rad;

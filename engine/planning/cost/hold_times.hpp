@@ -103,11 +103,11 @@ struct OpenLegLook {
 /// waited for without end.
 [[nodiscard]] core::Seconds end_of_looks(const Sea& sea, core::Seconds depart, core::Metres way);
 
-/// Number of closures of a place that end before `time`: it identifies the interval between closures.
+/// Number of closures of a place that end before `time`. The number identifies the interval between closures.
 [[nodiscard]] std::size_t interval_of(const std::vector<TimeSpan>& closed, core::Seconds time);
 
-/// Calls `emit(leg)` for the earliest arrival at the leg's end in each interval between the closures there,
-/// if a hold at the leg's beginning leads to it.
+/// Calls `emit(leg)` for the earliest arrival at the leg's end in each interval between the closures of that
+/// end, if a hold at the leg's beginning leads to this arrival.
 /// `closed_at_end`: closed times of the leg's end, ascending.
 template <class Emit>
 void for_each_opening(const Sea& sea, geo::PlanePoint a, geo::PlanePoint b,

@@ -22,13 +22,14 @@
 
 namespace floeplan::planning::cost {
 
-/// Where and when the vehicle of one request may be, and what it meets there: water and land, zones, icebergs, sea ice
-/// and currents, each on a grid of the local plane. Times count from the departure of the request.
+/// Where and when the vehicle of one request may be, and what it meets there: water and land, zones,
+/// icebergs, sea ice and currents, each on a grid of the local plane. Times count from the departure of the
+/// request.
 /// Threads  const members may be called from several threads at once
 class PlanningDomain {
  public:
-  /// `cell`: step of the safety map. If `stop` is requested, the object stays incomplete and must not be used.
-  /// `environment` and `request` are borrowed and must outlive the object.
+  /// `cell`: step of the safety map. If `stop` is requested, the object stays incomplete and must not be
+  /// used. `environment` and `request` are borrowed and must outlive the object.
   /// `shelf`: cache of currents of the same environment, or null; needed only during construction.
   PlanningDomain(const ocean::Environment& environment, const PlanRequest& request,
                  const geo::LocalProjection& projection, const plane::PlaneBox& area, core::Metres cell,
@@ -37,7 +38,7 @@ class PlanningDomain {
   [[nodiscard]] const geo::LocalProjection& projection() const { return projection_; }
   /// Lengths on the ground of lines of the plane.
   [[nodiscard]] const plane::GroundLengths& lengths() const { return lengths_; }
-  /// What is closed, and when; shows this domain, and ends with it.
+  /// The closures of places and their times. The result refers to this domain and must not outlive it.
   [[nodiscard]] obstacles::Closures closures() const { return {safety_, timed_zones_, icebergs()}; }
   [[nodiscard]] const obstacles::SafetyMap& safety() const { return safety_; }
   [[nodiscard]] obstacles::SafetyMap& safety() { return safety_; }
@@ -45,10 +46,10 @@ class PlanningDomain {
   [[nodiscard]] const Overhead& overhead() const { return overhead_; }
   [[nodiscard]] const obstacles::IcebergDiscs& icebergs() const { return overhead_.icebergs(); }
   [[nodiscard]] const std::optional<ice::UnderIce>& ice() const { return overhead_.ice(); }
-  /// Null in still water.
+  /// The currents of the domain; null in still water.
   [[nodiscard]] const currents::PlaneCurrents* currents() const { return currents_.get(); }
-  /// Whether the currents at the point are known from `from` to the end of the data, sampled at equal intervals of
-  /// time. True in still water.
+  /// Whether the currents at the point are known from `from` to the end of the data, sampled at equal
+  /// intervals of time. True in still water.
   [[nodiscard]] bool currents_known_to_end(geo::PlanePoint point, core::Seconds from) const;
   /// The depths that the vehicle flies.
   [[nodiscard]] const currents::FlownDepths& depths() const { return depths_; }

@@ -15,12 +15,13 @@ namespace floeplan::planning::cost {
 /// Threads  const members may be called from several threads at once
 class SeaMembers {
  public:
-  /// `environment` and `rules` are borrowed and must outlive this. Precondition: the currents are uncertain.
+  /// `environment` and `rules` are borrowed and must outlive this object. Precondition: the currents are
+  /// uncertain.
   SeaMembers(const ocean::Environment& environment, const UncertaintyRules& rules)
       : environment_{environment}, rules_{rules} {}
 
   [[nodiscard]] std::size_t size() const;
-  /// Calls with the same `member` give the same environment.
+  /// The environment with the currents of one member. Calls with equal `member` give equal environments.
   [[nodiscard]] ocean::Environment environment(std::size_t member) const;
 
  private:

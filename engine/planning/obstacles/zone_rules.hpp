@@ -15,7 +15,7 @@ struct DepthBand {
 };
 
 /// Zones sorted by the way they are tested. Zones that do not concern the vehicle's depths are left out. A
-/// stay-in zone that does not include all these depths allows the vehicle no place.
+/// stay-in zone that does not include the vehicle's whole band of depths allows the vehicle no place.
 struct ZoneRules {
   StandingZones standing;          // always in force; tested in the safety map
   std::vector<ocean::Zone> timed;  // in force for a while; tested along the drive

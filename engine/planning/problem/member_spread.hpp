@@ -16,12 +16,13 @@ class MemberSpread {
 
   /// Number of members in which the route is open.
   [[nodiscard]] std::size_t known() const { return sorted_.size(); }
-  /// The mean over the members in which the route is open; empty if there are none.
+  /// The mean over the members in which the route is open; empty if there are no such members.
   [[nodiscard]] std::optional<double> mean() const;
-  /// The standard deviation over these members, with n - 1 degrees of freedom; empty for fewer than two.
+  /// The standard deviation over the members in which the route is open, with n - 1 degrees of freedom; empty
+  /// for fewer than two such members.
   [[nodiscard]] std::optional<double> standard_deviation() const;
-  /// The figure that this share (0 to 1) of all members does not exceed, interpolated linearly between
-  /// members. Empty if the interpolation needs a member in which the route is closed.
+  /// The figure that `share` (0 to 1) of all members does not exceed, interpolated linearly between members.
+  /// Empty if the interpolation needs a member in which the route is closed.
   /// Source  Hyndman and Fan 1996, Sample quantiles in statistical packages, The American Statistician 50,
   ///         type 7
   [[nodiscard]] std::optional<double> quantile(double share) const;

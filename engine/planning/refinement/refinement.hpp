@@ -136,7 +136,8 @@ class Refiner {
     }
   }
 
-  /// Halves the number of legs and settles the route, until fewer legs would close it.
+  /// Halves the number of legs and settles the route, again and again, until fewer legs would close the
+  /// route.
   void fewer_and_fewer(const cost::Itinerary& finest) {
     std::vector<cost::Itinerary> levels{finest};
     while (levels.back().route.legs() > 1) {
@@ -165,9 +166,9 @@ class Refiner {
     return best;
   }
 
-  /// A route with this number of legs from the points of the last of `levels` that has many points for each leg,
-  /// because thinned points may lack the best ones. If there is only the last level, its points are removed one by
-  /// one.
+  /// A route with this number of legs from the points of the last of `levels` that has many points for each
+  /// leg, because thinned points may lack the best ones. If there is only the last level, its points are
+  /// removed one by one.
   std::optional<cost::Itinerary> chosen_otherwise(std::size_t fewer,
                                                   const std::vector<cost::Itinerary>& levels) {
     constexpr std::size_t many = 4;
@@ -184,8 +185,8 @@ class Refiner {
     return kept ? std::move(*kept) : thin_to(legs_, timed, most);
   }
 
-  /// Doubles the legs and reduces them again, so that the points move to better places; repeats while that gains
-  /// anything.
+  /// Doubles the legs and reduces them again, so that the points move to better places; repeats while that
+  /// gains anything.
   void place_better(cost::Itinerary chosen) {
     const double worth_a_round = limits_.worth(1e-5, 0.02);  // share of the cost
     const std::size_t legs = chosen.route.legs();
@@ -205,14 +206,14 @@ class Refiner {
   LegTradeOff found_;
 };
 
-/// Moves the free points of a route until its cost stops falling: first with many legs, then with fewer and fewer,
-/// each time from the best route with more legs.
-/// `shorter`  routes with at most `most_legs` legs. Without them, a route of many legs thinned to few may settle far
-///            from the best
-/// Returns  a route with few and long legs that costs at most `tolerance` more than the best one. The best one has
-///          the fewest legs for which twice the legs would not gain `least_gain`. It costs no more than the given
-///          route, unless `most_legs` forces it, and no more than any of the shorter ones. Fixed points stay, and no
-///          leg is closed
+/// Moves the free points of a route until its cost stops falling: first with many legs, then with fewer and
+/// fewer, each time from the best route with more legs.
+/// `shorter`  routes with at most `most_legs` legs. Without them, a route of many legs thinned to few may
+///            settle far from the best
+/// Returns  a route with few and long legs that costs at most `tolerance` more than the best one. The best
+///          one has the fewest legs for which twice the legs would not gain `least_gain`. It costs no more
+///          than the given route, unless `most_legs` forces it, and no more than any of the shorter ones.
+///          Fixed points stay, and no leg is closed
 /// Stops    when the budget is used up, with the best route found until then
 template <cost::CostedLeg Leg>
 Refined refine_route(const Leg& leg, const cost::Itinerary& start, const RefinementLimits& limits,

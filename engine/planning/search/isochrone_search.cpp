@@ -66,8 +66,7 @@ class BoundedVoyage {
   };
 
   /// Whether `a` makes `b` needless: `a` is no later, and its last surfacing is no longer ago. Then `a` can
-  /// go wherever
-  /// `b` can within the limit.
+  /// go wherever `b` can within the limit.
   [[nodiscard]] bool is_no_worse(const Arrival& a, const Arrival& b) const {
     if (a.s > b.s) return false;
     return a.s - a.surfaced_s <= b.s - b.surfaced_s || span_of(a) >= span_of(b);

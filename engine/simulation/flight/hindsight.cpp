@@ -16,8 +16,9 @@ constexpr core::Seconds span{1200.0};
 constexpr int headings = 36;
 constexpr double heading_step = 2.0 * std::numbers::pi / headings;
 constexpr std::array changes_s{60.0, 180.0, 360.0};
-/// Sea bed and ice are always within sonar range. They count as seen this long before a collision: as long as
-/// an iceberg is in range of a vehicle at its speed.
+/// Time before a collision with the sea bed or ice from which these count as seen. They are always within
+/// sonar range, so this time replaces the range: it is as long as an iceberg is in range of a vehicle at its
+/// speed.
 constexpr core::Seconds bed_is_seen_before{600.0};
 
 /// Tests which evasive routes are clear from one time of a flight on.

@@ -50,7 +50,7 @@ enum class DragOf { log, profile };
 [[nodiscard]] tl::expected<SegmentComparison, core::Violations> compare_segment(
     const LoggedSegment& segment, const vehicle::GliderProfile& vehicle, const HullMotion& hull, DragOf drag);
 
-/// Medians of the absolute deviations of several dives, and of their drags.
+/// Medians over several dives: of the absolute deviations of the simulation from the log, and of the drags.
 struct ComparisonSummary {
   double under_water_share{};
   double dives_share{};
@@ -62,7 +62,8 @@ struct ComparisonSummary {
   [[nodiscard]] bool within_a_tenth() const;
 };
 
-/// Precondition   one comparison or more
+/// Summary of the comparisons of several dives.
+/// Precondition   `comparisons` has at least one element
 [[nodiscard]] ComparisonSummary summary_of(std::span<const SegmentComparison> comparisons);
 
 }  // namespace floeplan::simulation

@@ -23,7 +23,8 @@ struct BentPlane {
   ocean::HorizontalGrid grid;    // on which they are used
   WaterMask water;               // of ROMS, which has depths on land too
 
-  /// In the order in which they are kept.
+  /// The values of the points that are kept, in the order in which they are kept. `values` are those of all
+  /// points of `layout`.
   [[nodiscard]] std::vector<float> as_kept(std::span<const float> values) const;
 };
 
@@ -32,14 +33,16 @@ struct BentPlane {
 [[nodiscard]] Checked<std::optional<BentPlane>> bent_plane_of(const std::shared_ptr<const NetcdfFile>& file,
                                                               const NetcdfVariable& variable);
 
-/// A variable and the grid on which it is used: that of its own nodes, or one on which it is interpolated when it is read.
+/// A variable and the grid on which it is used: that of its own nodes, or one on which it is interpolated
+/// when it is read.
 struct PlacedVariable {
   NetcdfLayout layout;
   ocean::HorizontalGrid grid;
   std::optional<BentPlane> bent;  // empty: the layout's points are the grid's nodes
 };
 
-/// On its own axes where they are a grid of the store, else at the points of its tables of positions or its projection.
+/// On its own axes where they are a grid of the store, else at the points of its tables of positions or its
+/// projection.
 /// `stated_crs`  the projection of a file that states none
 /// Errors        as layout_of and grid_of
 [[nodiscard]] Checked<PlacedVariable> place_of(const std::shared_ptr<const NetcdfFile>& file,

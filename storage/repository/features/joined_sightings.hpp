@@ -21,8 +21,9 @@ namespace floeplan::repository {
                                                            core::Seconds max_age,
                                                            core::Seconds track_age = core::Seconds{0.0});
 
-/// For each berg that is not in `counted`, the first sighting in the area after `as_of`, up to `until`; bergs
-/// are identified by the same rule. In the order of the datasets, then by row.
+/// For each berg that is not in `counted`, the first sighting in the area after `as_of`, up to `until`.
+/// Whether two sightings are of one berg is decided as in `joined_sightings`. In the order of the datasets,
+/// then by row.
 [[nodiscard]] std::vector<StoredSighting> first_seen_after(sql::Connection& db,
                                                            const std::vector<Dataset>& datasets,
                                                            const geo::BoundingBox& area, core::UtcTime as_of,

@@ -11,8 +11,8 @@
 
 namespace floeplan::repository {
 
-/// Part of a list of things, and the damaged things that may belong to it. Only for things that are independent of
-/// each other, such as plans. Not for icebergs: a missing one would look like open water.
+/// Part of a list of things, and the damaged things that may belong to it. Only for things that are
+/// independent of each other, such as plans. Not for icebergs: a missing one would look like open water.
 template <class Record>
 struct PartialList {
   std::vector<Record> whole;
@@ -35,10 +35,10 @@ struct MetThing {
 [[nodiscard]] std::vector<MetThing> things_behind(sql::Connection& db, const ThingTable& table,
                                                   const ListPart& part);
 
-/// Reads a list with one query; if this meets damage, row by row.
-/// Parameters  at_once  reads the whole part with one query of_row   returns the record of one row; nullopt
-///             if it does not meet the filter
-/// Errors      sql::Failure for other trouble than damage
+/// Reads a list with one query; if the query meets damage, row by row.
+/// Parameters  at_once: reads the whole part with one query; of_row: returns the record of one row, nullopt
+///             if the row does not meet the filter
+/// Errors      sql::Failure for trouble other than damage
 template <class AtOnce, class OfRow>
 [[nodiscard]] auto list_past_damage(sql::Connection& db, const ThingTable& table, const ListPart& part,
                                     const AtOnce& at_once, const OfRow& of_row) {

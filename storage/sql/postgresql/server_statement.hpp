@@ -6,9 +6,10 @@
 
 namespace floeplan::sql::postgresql {
 
-/// A statement of a session. Its first step runs it to its end and takes all of its rows, so that others may run while its
-/// rows are read.
-/// Errors   what the server says against the text is told by the first step, which knows the types of the values
+/// A statement of a session. The first step runs the statement to its end and takes all of its rows, so that
+/// other statements of the session may run while these rows are read.
+/// Errors   faults that the server finds in the text are reported by the first step, which knows the types of
+///          the values
 class ServerStatement final : public PreparedStatement {
  public:
   /// `session` is borrowed.

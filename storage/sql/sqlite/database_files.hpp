@@ -26,7 +26,7 @@ struct DatabaseHeader {
 [[nodiscard]] DatabaseHeader header_of(const std::filesystem::path& database);
 
 /// Flushes a file, or the names in a folder, to the disk.
-/// Errors  Failure when that fails
+/// Errors  Failure when the flush fails
 void flush(const std::filesystem::path& path);
 
 /// Merges the log of a database into the database, which is then a single file. Precondition: nobody else

@@ -23,7 +23,7 @@ class MissingMarks {
  public:
   explicit MissingMarks(const NetcdfVariable& variable);
 
-  /// Whether `value` means "missing". It is unpacked, with NaN for the fill value.
+  /// Whether `value`, unpacked and NaN for the fill value, means "missing".
   [[nodiscard]] bool cover(double value, Extent possible) const;
 
  private:

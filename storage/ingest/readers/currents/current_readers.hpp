@@ -48,8 +48,8 @@ namespace floeplan::ingest {
                                                             const IngestOptions& options,
                                                             const core::ProgressCallback& progress);
 
-/// Surface currents of IHO S-111 on a regular grid, at separate places or on a triangulated mesh: a speed, and
-/// the direction towards which the water goes.
+/// Surface currents of IHO S-111 on a regular grid, at separate places or on a triangulated mesh: a speed,
+/// and the direction towards which the water goes.
 /// Depth    the file's: the depth of the currents below the surface, or the middle of the layer over which
 ///          they are averaged
 /// Errors   those of s100_coverage and s100_points; a record without a time; a unit that is not a speed; a
@@ -70,7 +70,8 @@ namespace floeplan::ingest {
                                                  const std::optional<std::string>& stated_crs,
                                                  const core::ProgressCallback& progress);
 
-/// Whether read_wind would accept the layout of the wind, so that it is worth reading beside other data.
+/// Whether read_wind would accept the layout of the wind in the file. If so, the wind is worth reading beside
+/// other data.
 [[nodiscard]] bool wind_is_readable(const std::shared_ptr<const NetcdfFile>& file);
 
 }  // namespace floeplan::ingest

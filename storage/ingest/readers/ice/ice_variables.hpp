@@ -25,7 +25,8 @@ struct IceVariables {
 /// Whether any variable claims to be a thickness of sea ice.
 [[nodiscard]] bool holds_ice_thickness(const NetcdfFile& file);
 
-/// The message that a statistic of the concentration is not the concentration; empty if the file has none.
+/// The message that a variable is a statistic of the concentration, not the concentration itself; empty if
+/// the file has no such variable.
 [[nodiscard]] std::optional<messages::Message> ice_left_out(const NetcdfFile& file);
 
 /// Chooses the variables by standard name, then by well-known names. Statistics, uncertainties, flags, raw or
