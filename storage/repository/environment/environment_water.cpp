@@ -60,6 +60,13 @@ bool adopt_currents(EnvironmentDraft& draft, const Dataset& dataset, std::size_t
     draft.tell(messages::data_message<"currents-held-at-mean">(name, steps, period_text(*covered)));
   }
 
+  if (covered && draft.query.steady) {
+    const core::Seconds away = std::max(covered->from - draft.query.depart, draft.query.depart - covered->to);
+    if (away.count() > 0.0)
+      draft.tell(messages::data_message<"currents-of-another-time">(name, period_text(*covered),
+                                                                    away.count() / 86'400.0));
+  }
+
   draft.environment.steady_currents = draft.query.steady || !covered;
   draft.environment.drift_currents = read_drift(draft, dataset, samples, members, read);
   draft.environment.currents = as_they_count(draft.environment, std::move(currents));

@@ -195,6 +195,23 @@ TEST(Relaxation, MovesAStopOnlyToWhereAWayLeads) {
   EXPECT_TRUE(plan(environment, request).has_value());
 }
 
+/// The vehicle cannot leave a small basin round the start, and the goal is a bank in another: the place next to the goal that
+/// it reaches lies beside the start.
+TEST(Relaxation, MovesNoGoalBackToTheStart) {
+  const PlanRequest request = eastward_request();
+  const auto depth = [&](geo::LonLat p) {
+    const double from_start_m = geo::geodesic_between(p, request.from).length.value;
+    const double from_goal_m = geo::geodesic_between(p, request.to).length.value;
+    return from_start_m < 4'000.0 || (from_goal_m > 2'000.0 && from_goal_m < 6'000.0) ? 300.0 : 5.0;
+  };
+
+  const auto found = plan({.bathymetry = bathymetry_from(depth)}, request);
+
+  ASSERT_FALSE(found.has_value());
+  EXPECT_EQ(found.error().reason, Reason::goal_too_shallow);
+  EXPECT_EQ(change_of(found.error(), "to"), nullptr);
+}
+
 TEST(Relaxation, MovesNoStopWhereThatDoesNotHelp) {
   const ocean::Environment environment{.bathymetry = bathymetry_from([](geo::LonLat p) {
                                          return std::abs(p.lon_deg + 53.0) > 0.3 ? 5.0 : 300.0;

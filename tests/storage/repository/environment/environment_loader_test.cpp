@@ -292,6 +292,16 @@ TEST_F(EnvironmentLoaderTest, HoldsTheOneStepSteady) {
   EXPECT_THAT(messages::sentences(environment.messages), Contains(HasSubstr("as at 2027-01-14T08:00:00Z")));
 }
 
+TEST_F(EnvironmentLoaderTest, WarnsOfSteadyCurrentsOfAnotherTime) {
+  constexpr core::Seconds year = 365.0 * day;
+  add_currents("currents", sample_time - year, 5, levels_);
+  query_.steady = true;
+  EXPECT_THAT(messages::sentences(load().messages), Contains(HasSubstr("days from that time")));
+
+  query_.depart = sample_time - year + hour;
+  EXPECT_THAT(messages::sentences(load().messages), testing::Not(Contains(HasSubstr("days from that time"))));
+}
+
 TEST_F(EnvironmentLoaderTest, HoldsCurrentsWithoutTimeSteady) {
   add("currents", DatasetKind::currents, bay);
   store_currents("currents", bay, std::nullopt, levels_);
