@@ -1,4 +1,5 @@
 import type { Position } from '../../contract/data_types';
+import { requestFields } from '../../contract/request_fields';
 import type { PlanInputs } from '../../contract/types';
 import { formatPosition } from '../../geo/coordinates';
 import { formOf, numberFields, factorOf, timeFields, type NumberField } from '../fields';
@@ -50,12 +51,20 @@ const isPosition = (name: string, value: unknown): value is Position => (name ==
 /** Settings without a label in the table of request fields. */
 const own: Record<string, string> = { areas: 'Areas', goals_file: 'File with the goals' };
 
+const isEmpty = (value: unknown): boolean =>
+  value === undefined || value === null || value === '' || (typeof value === 'object' && Object.keys(value).length === 0);
+
+const usualValues = requestFields as unknown as Record<string, { usual?: unknown } | undefined>;
+
+/** What a plan was made with: what its request leaves out has its usual value. */
+const effective = (name: string, value: unknown): unknown => (isEmpty(value) ? usualValues[name]?.usual : value);
+
 /** One row for each setting that is not the same in all requests. */
 export function settingRows(requests: PlanInputs[]): SettingRow[] {
   const all = requests.map(flat);
   const names = [...new Set(all.flatMap((members) => [...members.keys()]))].filter((name) => !leftOut.has(name.split('.')[0] ?? ''));
   return names.flatMap((name) => {
-    const values = all.map((members) => members.get(name));
+    const values = all.map((members) => effective(name, members.get(name)));
     if (new Set(values.map((value) => JSON.stringify(value ?? null))).size < 2) return [];
     const texts = values.map((value) => shown(name, value));
     return [{ name, label: formOf(name).label || own[name] || name, values: texts }];
