@@ -224,11 +224,11 @@ inline constexpr auto data_kinds = std::to_array<Kind>({
     {.code = "currents-of-another-time",
      .rank = Rank::caution,
      .text = "the currents {dataset} are held steady, but they are those of {period}, and the departure lies "
-             "{days:.1f} days from that time. The currents of the mission may be quite different",
+             "{gap_d:.1f} days from that time. The currents of the mission may be quite different",
      .hint = "Ingest currents of the time of the mission",
      .slots = {{{"dataset", "bay model (currents-1)"},
                 {"period", "2027-01-12T00:00:00Z to 2027-01-13T00:00:00Z"},
-                {"days", 2.5}}}},
+                {"gap_d", 2.5}}}},
     {.code = "runs-joined",
      .rank = Rank::note,
      .text = "the {kind} come from several forecast runs, and at each time the newest run counts: {parts}",

@@ -25,22 +25,25 @@ std::optional<Change> move_that_helps(const ocean::Environment& environment, con
     const auto& wanted = request.departures.arrive_by;
     return plan && (!wanted || plan->arrival <= *wanted);
   };
-  const auto distance_m = [](geo::LonLat a, geo::LonLat b) {
-    return geo::geodesic_between(a, b).length.value;
+  // A goal that is not even half of the way to the one asked for is no help. A judgement.
+  const auto leads_on = [&](geo::LonLat goal) {
+    const geo::LonLat before = request.via.empty() ? request.from : request.via.back();
+    const auto to_goal_m = [&](geo::LonLat place) {
+      return geo::geodesic_between(place, request.to).length.value;
+    };
+    return to_goal_m(goal) <= 0.5 * to_goal_m(before);
   };
   std::optional<geo::LonLat> nearest;
   for (const Change& move : moves) {
     PlanRequest moved = request;
     stop_named(moved, move.input) = std::get<geo::LonLat>(move.to);
     if (!moved.violations().empty()) continue;  // the place of another stop
+    if (move.input == "to" && !leads_on(moved.to)) continue;
     const auto plan = planner::try_to_plan(environment, for_any_way(moved), stop, {});
     if (arrives(plan)) return move;
     if (!plan && !plan.error().at_a_stop && !nearest) nearest = plan.error().at;
   }
-  if (!nearest || moves.front().input != "to") return std::nullopt;
-  // A place that is not even half of the way there is no help. A judgement.
-  const geo::LonLat before = request.via.empty() ? request.from : request.via.back();
-  if (distance_m(*nearest, request.to) > 0.5 * distance_m(before, request.to)) return std::nullopt;
+  if (!nearest || moves.front().input != "to" || !leads_on(*nearest)) return std::nullopt;
   PlanRequest moved = request;
   moved.to = *nearest;
   if (!arrives(planner::try_to_plan(environment, for_any_way(moved), stop, {}))) return std::nullopt;

@@ -56,7 +56,7 @@ TEST(Catalogue, NamesTheUnitOfEveryNumber) {
     for (std::size_t i = 0; i < kind.values(); ++i) {
       if (!std::holds_alternative<double>(kind.slots[i].example)) continue;
       EXPECT_THAT(std::string{kind.slots[i].name},
-                  testing::MatchesRegex(".*_(km|m|h|min|mj|pct|deg|m_s|millions)"))
+                  testing::MatchesRegex(".*_(km|m|d|h|min|mj|pct|deg|m_s|millions)"))
           << kind.code;
     }
   }

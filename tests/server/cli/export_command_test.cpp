@@ -71,7 +71,7 @@ TEST(Export, WritesEveryFormat) {
   const Program program;
   const std::string id = planned(program);
   const std::string out = (program.folder() / "out").string();
-  for (const char* format : {"gpx", "kml", "geojson", "csv", "nmea", "targets", "imc"}) {
+  for (const char* format : {"gpx", "kml", "geojson", "csv", "nmea", "targets", "imc", "html", "pdf"}) {
     const Outcome outcome = program.run({"export", id, "--format", format, "--out", out, "--json"});
     ASSERT_EQ(outcome.exit_code, 0) << format << outcome.err;
     EXPECT_GT(fs::file_size(outcome.json()["files"][0].get<std::string>()), 50U) << format;
