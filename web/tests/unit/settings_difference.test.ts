@@ -1,5 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { PlanInputs } from '../../src/contract/types';
+import type { Vehicle } from '../../src/contract/data_types';
+import { vehicles } from '../../src/model/datasets';
 import { settingRows } from '../../src/model/plan/settings_difference';
 
 const request = (more: Partial<PlanInputs>): PlanInputs => ({ from: [-52, 69], to: [-51, 69], ...more });
@@ -29,6 +31,14 @@ describe('settings in which plans differ', () => {
     const rows = settingRows([request({ vehicle: { profile: 'slocum-g3-200', dive_depth_m: 150 } }), request({ vehicle: 'slocum-g3-200' })]);
 
     expect(rows).toEqual([{ name: 'dive_depth_m', label: 'Dive depth', values: ['150 m', '–'] }]);
+  });
+
+  it('are not told where one states what the vehicle of the other has', () => {
+    vehicles.value = [{ name: 'slocum-g3-200', dive_depth_m: 200 } as Vehicle];
+
+    expect(settingRows([request({ vehicle: { profile: 'slocum-g3-200', dive_depth_m: 200 }, objective: 'time' }), request({ vehicle: 'slocum-g3-200' })])).toEqual([]);
+    expect(settingRows([request({ vehicle: { profile: 'slocum-g3-200', dive_depth_m: 150 } }), request({ vehicle: 'slocum-g3-200' })])[0]?.values).toEqual(['150 m', '200 m']);
+    vehicles.value = [];
   });
 
   it('take what is null as not asked for', () => {

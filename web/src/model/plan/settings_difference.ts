@@ -2,6 +2,7 @@ import type { Position } from '../../contract/data_types';
 import { requestFields } from '../../contract/request_fields';
 import type { PlanInputs } from '../../contract/types';
 import { formatPosition } from '../../geo/coordinates';
+import { vehicles } from '../datasets';
 import { formOf, numberFields, factorOf, timeFields, type NumberField } from '../fields';
 import { settings } from '../settings';
 import { shortTime } from '../time';
@@ -56,15 +57,24 @@ const isEmpty = (value: unknown): boolean =>
 
 const usualValues = requestFields as unknown as Record<string, { usual?: unknown } | undefined>;
 
-/** What a plan was made with: what its request leaves out has its usual value. */
-const effective = (name: string, value: unknown): unknown => (isEmpty(value) ? usualValues[name]?.usual : value);
+/** The vehicle of a request, whose own figures count where the request states none. The server takes the first of its list. */
+function vehicleOf({ vehicle }: PlanInputs): Partial<Record<string, unknown>> {
+  const profile = typeof vehicle === 'string' ? vehicle : vehicle?.profile;
+  return { ...(vehicles.value.find(({ name }) => name === profile) ?? (profile ? {} : vehicles.value[0])) };
+}
+
+/** What a plan was made with: what its request leaves out has the vehicle's value or the usual one. */
+function effective(name: string, value: unknown, request: PlanInputs): unknown {
+  if (!isEmpty(value)) return value;
+  return name === 'objective' ? 'time' : (usualValues[name]?.usual ?? vehicleOf(request)[name]);
+}
 
 /** One row for each setting that is not the same in all requests. */
 export function settingRows(requests: PlanInputs[]): SettingRow[] {
   const all = requests.map(flat);
   const names = [...new Set(all.flatMap((members) => [...members.keys()]))].filter((name) => !leftOut.has(name.split('.')[0] ?? ''));
   return names.flatMap((name) => {
-    const values = all.map((members) => effective(name, members.get(name)));
+    const values = all.map((members, i) => effective(name, members.get(name), requests[i] ?? {}));
     if (new Set(values.map((value) => JSON.stringify(value ?? null))).size < 2) return [];
     const texts = values.map((value) => shown(name, value));
     return [{ name, label: formOf(name).label || own[name] || name, values: texts }];
