@@ -97,7 +97,7 @@ test('plans are compared, and one of them is the baseline', async ({ page, reque
   await page.getByRole('button', { name: /^Plans/ }).click();
   await page.getByRole('button', { name: /^Compare/ }).click();
   const settings = page.getByRole('region', { name: 'Settings that differ, a row each' });
-  await expect(settings.getByRole('row')).toHaveText([/^Setting/, /^Iceberg margin500 m800 m$/]);
+  await expect(settings.getByRole('row')).toHaveText([/^Setting/, /^Iceberg margin(500 m)+800 m$/]);
   const table = page.getByRole('region', { name: 'Comparison table' });
   await expect(table.locator('.difference').first()).toBeVisible();
   await table.getByRole('radio').last().check();
