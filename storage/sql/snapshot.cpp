@@ -2,8 +2,6 @@
 
 #include <stdexcept>
 
-#include "storage/sql/statement.hpp"
-
 namespace floeplan::sql {
 
 Snapshot::Snapshot(Connection& db) : db_{db}, began_{!db.driver().is_in_transaction()} {
@@ -13,7 +11,7 @@ Snapshot::Snapshot(Connection& db) : db_{db}, began_{!db.driver().is_in_transact
 Snapshot::~Snapshot() {
   if (!began_) return;
   try {
-    execute(db_, "ROLLBACK");
+    db_.driver().roll_back();
     // NOLINTNEXTLINE(bugprone-empty-catch): after a failed read the transaction has already ended
   } catch (const std::runtime_error&) {
   }

@@ -18,7 +18,10 @@ Transaction::Transaction(Connection& db, WriteTurn turn)
 Transaction::~Transaction() {
   if (finished_) return;
   try {
-    execute(db_, outermost_ ? "ROLLBACK" : "ROLLBACK TO nested; RELEASE nested");
+    if (outermost_)
+      db_.driver().roll_back();
+    else
+      execute(db_, "ROLLBACK TO nested; RELEASE nested");
     // NOLINTNEXTLINE(bugprone-empty-catch): a full disk has already rolled it back
   } catch (const std::runtime_error&) {
   }

@@ -75,6 +75,8 @@ class Driver {
   virtual void begin_writing(WriteTurn turn) = 0;
   /// Commits it. Errors  Failure also where it was undone before, so that nothing is acknowledged which is not kept
   virtual void commit() = 0;
+  /// Undoes it, also one that has failed or was lost.
+  virtual void roll_back() = 0;
   /// Begins a transaction that reads as of its first read, and waits for nobody.
   virtual void begin_reading() = 0;
   /// A value that changes with every commit of any connection. Cheap.

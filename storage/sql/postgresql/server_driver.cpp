@@ -35,17 +35,17 @@ std::unique_ptr<PreparedStatement> ServerDriver::prepare(const std::string& sql)
 }
 
 void ServerDriver::begin_writing(WriteTurn turn) {
-  session_.run_script("BEGIN");
+  session_.begin("BEGIN");
   if (turn == WriteTurn::beside_others) return;
   try {
     session_.run_script(take_right_to_write);
   } catch (const Failure&) {
-    session_.run_script("ROLLBACK");
+    session_.roll_back();
     throw;
   }
 }
 
-void ServerDriver::begin_reading() { session_.run_script("BEGIN ISOLATION LEVEL REPEATABLE READ READ ONLY"); }
+void ServerDriver::begin_reading() { session_.begin("BEGIN ISOLATION LEVEL REPEATABLE READ READ ONLY"); }
 
 /// Two reads that see the same transactions see the same rows: the version is which ones are seen.
 Version ServerDriver::version() {

@@ -24,6 +24,7 @@ class ServerDriver final : public Driver {
   [[nodiscard]] bool is_in_transaction() override { return session_.is_in_transaction(); }
   void begin_writing(WriteTurn turn) override;
   void commit() override { session_.commit(); }
+  void roll_back() override { session_.roll_back(); }
   void begin_reading() override;
   [[nodiscard]] Version version() override;
 

@@ -32,6 +32,7 @@ ServerSession::ServerSession(const std::string& address, std::string settings)
 
 void ServerSession::reconnect_if_lost() {
   if (PQstatus(connection_.get()) == CONNECTION_OK) return;
+  if (has_begun_) throw Failure{messages::store_text<"transaction-undone">(name_)};
   PQreset(connection_.get());
   if (PQstatus(connection_.get()) != CONNECTION_OK) throw failure_of(nullptr, connection_.get(), name_);
   parsed_.clear();
@@ -39,10 +40,23 @@ void ServerSession::reconnect_if_lost() {
   if (!has_succeeded(result)) throw failure_of(result.get(), connection_.get(), name_);
 }
 
+void ServerSession::begin(const std::string& statement) {
+  run_script(statement);
+  has_begun_ = true;
+}
+
 void ServerSession::commit() {
-  const bool whole = PQtransactionStatus(connection_.get()) == PQTRANS_INTRANS;
-  run_script(whole ? "COMMIT" : "ROLLBACK");
-  if (!whole) throw Failure{messages::store_text<"transaction-undone">(name_)};
+  if (PQtransactionStatus(connection_.get()) != PQTRANS_INTRANS) {
+    roll_back();
+    throw Failure{messages::store_text<"transaction-undone">(name_)};
+  }
+  run_script("COMMIT");
+  has_begun_ = false;
+}
+
+void ServerSession::roll_back() {
+  has_begun_ = false;
+  if (PQstatus(connection_.get()) == CONNECTION_OK) run_script("ROLLBACK");
 }
 
 void ServerSession::run_script(const std::string& script) {
@@ -81,11 +95,6 @@ Result ServerSession::run(const std::string& sql, const std::vector<WireValue>& 
                                lengths.data(), binary.data(), 1)};
   if (!has_succeeded(result)) throw failure_of(result.get(), connection_.get(), name_);
   return result;
-}
-
-bool ServerSession::is_in_transaction() const {
-  const PGTransactionStatusType status = PQtransactionStatus(connection_.get());
-  return status == PQTRANS_INTRANS || status == PQTRANS_INERROR;
 }
 
 }  // namespace floeplan::sql::postgresql

@@ -26,15 +26,18 @@ class ServerSession {
   /// `settings`  a script that each session begins with
   ServerSession(const std::string& address, std::string settings);
 
-  /// Runs a script of statements without values. After the session was lost, and its transaction with it, a new one begins.
+  /// Runs a script of statements without values.
   void run_script(const std::string& script);
+  /// Begins a transaction by this statement.
+  void begin(const std::string& statement);
   /// Errors   Failure also when the transaction has failed or was lost: the server takes a COMMIT for a ROLLBACK then
   void commit();
+  void roll_back();
   /// Runs one statement to its end and takes all of its rows, in binary form. One that was run before with values of the
   /// same types is not parsed anew.
   [[nodiscard]] Result run(const std::string& sql, const std::vector<WireValue>& values);
 
-  [[nodiscard]] bool is_in_transaction() const;
+  [[nodiscard]] bool is_in_transaction() const { return has_begun_; }
   /// Its name and its server's, for a person.
   [[nodiscard]] const std::string& name() const { return name_; }
 
@@ -42,6 +45,8 @@ class ServerSession {
   struct EndSession {
     void operator()(PGconn* connection) const { PQfinish(connection); }
   };
+  /// A new session takes the place of one that was lost, but never within a transaction: what follows there must not be
+  /// kept alone.
   void reconnect_if_lost();
   /// The name of a statement that the server has parsed.
   [[nodiscard]] std::string parsed(const std::string& sql, const std::vector<Oid>& types);
@@ -51,6 +56,7 @@ class ServerSession {
   std::string name_;
   std::map<std::pair<std::string, std::vector<Oid>>, std::string> parsed_;
   std::int64_t names_given_{0};
+  bool has_begun_{false};  // a transaction that is neither committed nor undone yet
 };
 
 }  // namespace floeplan::sql::postgresql

@@ -194,6 +194,8 @@ void SqliteDriver::begin_writing(WriteTurn) { run_script("BEGIN IMMEDIATE"); }
 
 void SqliteDriver::commit() { run_script("COMMIT"); }
 
+void SqliteDriver::roll_back() { run_script("ROLLBACK"); }
+
 void SqliteDriver::begin_reading() { run_script("BEGIN DEFERRED"); }
 
 Version SqliteDriver::version() {

@@ -40,6 +40,7 @@ class SqliteDriver : public Driver {
   [[nodiscard]] bool is_in_transaction() override;
   void begin_writing(WriteTurn turn) override;
   void commit() override;
+  void roll_back() override;
   void begin_reading() override;
   [[nodiscard]] Version version() override;
   void back_up(const std::filesystem::path& file) override;

@@ -173,6 +173,7 @@ TEST_F(ServerTest, AcknowledgesNoTransactionThatHasFailedOrWasLost) {
             "SELECT pg_terminate_backend(pid) FROM pg_stat_activity WHERE pid <> pg_backend_pid() AND "
             "state = 'idle in transaction' AND query LIKE '%VALUES (2)%'");
     EXPECT_THROW(execute(*one_, "INSERT INTO t (b) VALUES (3)"), Failure);
+    EXPECT_THROW(execute(*one_, "INSERT INTO t (b) VALUES (4)"), Failure) << "kept alone, by a new session";
     EXPECT_THROW(lost.commit(), Failure);
   }
   EXPECT_EQ(rows(*one_), 0);  // in a new session
