@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <vector>
 
 #include "engine/geo/bounding_box.hpp"
 #include "engine/messages/fault.hpp"
@@ -21,12 +23,12 @@ core::Violations swapped_places(sql::Connection& db, const std::vector<GivenPlac
                                 const repository::EnvironmentQuery& data) {
   if (data.currents.how == DatasetChoice::How::none && data.bathymetry.how == DatasetChoice::How::none)
     return {};
-  const std::vector<repository::Dataset> stored = repository::DatasetRepository{db}.list();
+  std::vector<geo::BoundingBox> areas;
+  for (const DatasetKind kind : {DatasetKind::currents, DatasetKind::bathymetry})
+    std::ranges::copy(repository::DatasetRepository{db}.areas(kind), std::back_inserter(areas));
   const auto is_covered = [&](geo::LonLat place) {
-    return std::ranges::any_of(stored, [&](const repository::Dataset& dataset) {
-      return (dataset.kind == DatasetKind::currents || dataset.kind == DatasetKind::bathymetry) &&
-             geo::contains(dataset.bounds, place);
-    });
+    return std::ranges::any_of(areas,
+                               [&](const geo::BoundingBox& area) { return geo::contains(area, place); });
   };
   core::Violations found;
   for (const auto& [field, place] : places) {

@@ -1,6 +1,5 @@
 #include "storage/repository/datasets/copy_to_server.hpp"
 
-#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -29,10 +28,10 @@ void bind_from(sql::Statement& insert, int parameter, const sql::Row& row, int c
 /// Copies rows of one table. Where rows have numbers the server gives them new ones.
 class TableCopy {
  public:
-  /// `condition`  which rows, by the parameter ?1
-  /// `ending`     of the statement that inserts
+  /// `condition`    which rows, by the parameter ?1
+  /// `on_conflict`  what happens with rows that are there already; empty: they are an error
   TableCopy(sql::Connection& arrived, sql::Connection& server, const std::string& table,
-            const std::string& condition, const std::string& ending)
+            const std::string& condition, const std::string& on_conflict = "")
       : columns_{sql::columns_of(arrived, table)} {
     std::string all;
     std::string names;
@@ -44,8 +43,9 @@ class TableCopy {
       values += (values.empty() ? "?" : ", ?") + std::to_string(++parameters_);
     }
     rows_.emplace(arrived, "SELECT " + all + " FROM arrived." + table + " WHERE " + condition);
-    insert_.emplace(server, "INSERT INTO " + table + " (" + names + ") VALUES (" + values + ") " + ending);
-    counts_rows_ = parameters_ < static_cast<int>(columns_.size());
+    gives_numbers_ = parameters_ < static_cast<int>(columns_.size());
+    insert_.emplace(server, "INSERT INTO " + table + " (" + names + ") VALUES (" + values + ") " +
+                                on_conflict + (gives_numbers_ ? " RETURNING row" : ""));
   }
 
   /// `rows`  new numbers of rows that are kept: of the rows themselves in a table of boxes
@@ -62,7 +62,7 @@ class TableCopy {
         const std::string& name = columns_[i].name;
         if (name == "row") {
           old = rows_->integer(column);
-          if (counts_rows_) continue;
+          if (gives_numbers_) continue;
           insert_->bind(++parameter, rows.at(old));
         } else if (name == "dataset_row") {
           insert_->bind(++parameter, dataset);
@@ -70,7 +70,7 @@ class TableCopy {
           bind_from(*insert_, ++parameter, *rows_, column, columns_[i].type);
         }
       }
-      if (!counts_rows_) {
+      if (!gives_numbers_) {
         insert_->run();
       } else if (insert_->step()) {
         given.emplace(old, insert_->integer(0));
@@ -88,14 +88,12 @@ class TableCopy {
   std::optional<sql::Statement> rows_;
   std::optional<sql::Statement> insert_;
   int parameters_{0};
-  bool counts_rows_{};
+  bool gives_numbers_{};
 };
 
 void copy_data(sql::Connection& arrived, sql::Connection& server, std::int64_t there, std::int64_t here) {
   for (const std::string& name : tables_of_data(arrived)) {
-    const std::vector<sql::Column> columns = sql::columns_of(arrived, name);
-    const bool has_numbers = std::ranges::find(columns, "row", &sql::Column::name) != columns.end();
-    TableCopy rows{arrived, server, name, "dataset_row = ?1", has_numbers ? "RETURNING row" : ""};
+    TableCopy rows{arrived, server, name, "dataset_row = ?1"};
     const NewNumbers given = rows.run(there, here);
     const std::string box = boxes_of(name);
     if (!sql::has_table(arrived, box)) continue;
@@ -113,7 +111,7 @@ std::vector<DatasetId> copy_to_server(sql::Connection& arrived, sql::Connection&
   sql::Transaction transaction{server, sql::WriteTurn::beside_others};
   sql::defer_references(server);
   sql::Statement replaced{server, "DELETE FROM dataset WHERE id = ?1 AND outdated > ?2"};
-  TableCopy datasets{arrived, server, "dataset", "row = ?1", "ON CONFLICT (id) DO NOTHING RETURNING row"};
+  TableCopy datasets{arrived, server, "dataset", "row = ?1", "ON CONFLICT (id) DO NOTHING"};
   sql::Statement all{arrived, "SELECT row, id, outdated FROM arrived.dataset ORDER BY row"};
   std::vector<DatasetId> ids;
   while (all.step()) {

@@ -124,6 +124,16 @@ PartialList<Dataset> DatasetRepository::list_past_damage() const {
   return datasets;
 }
 
+std::vector<geo::BoundingBox> DatasetRepository::areas(DatasetKind kind) const {
+  sql::Statement query{
+      db_,
+      "SELECT west_deg, south_deg, east_deg, north_deg FROM dataset WHERE arriving_s IS NULL AND kind = ?1"};
+  query.bind(1, kind_name(kind));
+  std::vector<geo::BoundingBox> areas;
+  while (query.step()) areas.push_back({query.real(0), query.real(1), query.real(2), query.real(3)});
+  return areas;
+}
+
 std::string DatasetRepository::contents() const {
   sql::Statement query{db_, "SELECT id, sha256 FROM dataset ORDER BY id"};
   std::string text;

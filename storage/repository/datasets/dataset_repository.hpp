@@ -24,6 +24,8 @@ class DatasetRepository {
   [[nodiscard]] std::vector<Dataset> list() const;
   /// The same list without datasets whose entry is damaged. The data themselves are not checked.
   [[nodiscard]] PartialList<Dataset> list_past_damage() const;
+  /// The areas that all datasets of a kind cover, without reading their other entries.
+  [[nodiscard]] std::vector<geo::BoundingBox> areas(DatasetKind kind) const;
   /// A text of the ids of all datasets and the digests of their contents; it changes whenever a dataset
   /// changes.
   [[nodiscard]] std::string contents() const;

@@ -23,7 +23,7 @@ CREATE TABLE dataset (
   ingested_s DOUBLE PRECISION NOT NULL,
   tool_version TEXT NOT NULL,
   run_s DOUBLE PRECISION,       -- when the model run began that made the data; NULL: not stated
-  arriving_s DOUBLE PRECISION,  -- last sign of life of who copies it here; NULL: all of it is here
+  arriving_s DOUBLE PRECISION,  -- NULL: all of its data are here; at a server always so
   outdated BIGINT NOT NULL DEFAULT 0,  -- 1: misread; the same file, given again, replaces it
   owner TEXT  -- who sent its file over HTTP; '': the user of an open server; NULL: no request
 );
