@@ -21,9 +21,9 @@ struct EvasivePath {
 };
 
 /// The fastest way from the vehicle to a place on the ground, past the detected objects, in the measured
-/// current. It uses the mission planner's search on a small grid along the line between both; moving discs
-/// close edges at the times at which they are travelled. Then the way is straightened where that costs no
-/// time.
+/// current. It uses the mission planner's search on a small grid along the line between both. Moving discs
+/// close an edge while the vehicle would travel it. Afterwards bends are left out, as long as the vehicle
+/// arrives no later.
 /// Budget   `most_expansions` of the settings (at least 1024, the interval of the search's checks), and
 ///          `stop`, with which the vehicle's computer can limit the time
 /// Memory   grows with the grid, at most 8192 vertices. Allocates, so it is not for the reactive loop
