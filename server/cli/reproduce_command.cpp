@@ -19,7 +19,6 @@ namespace {
 using nlohmann::json;
 using reproduction::ReproducedRow;
 
-using nlohmann::json;
 using reproduction::Figure;
 
 /// Length of a degree of the WGS84 equator.

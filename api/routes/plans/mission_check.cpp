@@ -36,7 +36,6 @@ struct Uploads {
   bool alone{false};
 };
 
-using nlohmann::json;
 using Read = tl::expected<Uploads, core::Violations>;
 
 constexpr std::size_t longest_file_name = 200;

@@ -21,8 +21,6 @@ namespace {
 
 using nlohmann::json;
 
-using nlohmann::json;
-
 /// Whether a path template of the document belongs to an operation. They differ if a parameter takes the rest
 /// of the path, or if an operation serves several templates ("/processes/{process_id}/execution").
 bool is_template_of(const Route& route, const std::string& path) {

@@ -48,17 +48,17 @@ std::optional<motion::EdgeClosed> closed_then(const cost::Sea& sea, geo::PlanePo
 }
 
 /// Suggestions to move an unusable stop: to the nearest usable place with a connection to another stop or, if
-/// there is none, to the nearest usable place.
+/// there is none, to the nearest usable place, `nearest`.
 std::vector<Change> moves_of(const cost::Sea& sea, const cost::Layout& layout, std::size_t stop,
-                             const std::stop_token& token) {
+                             const std::optional<geo::LonLat>& nearest, const std::stop_token& token) {
   const geo::PlanePoint other = stop == 0 ? layout.points.back() : layout.points.front();
   const Stop kind = kind_of(stop, layout);
   const std::string input = kind == Stop::start  ? "from"
                             : kind == Stop::goal ? "to"
                                                  : "via/" + std::to_string(stop - 1);
   std::vector<Change> moves;
-  for (const auto& place : {nearest_usable_place_towards(sea.domain(), layout.points[stop], other, token),
-                            nearest_usable_place(sea.domain(), layout.points[stop])}) {
+  for (const auto& place :
+       {nearest_usable_place_towards(sea.domain(), layout.points[stop], other, token), nearest}) {
     if (!place || (!moves.empty() && std::get<geo::LonLat>(moves.front().to) == *place)) continue;
     moves.push_back(move_of(input, layout.stops[stop], *place));
   }
@@ -74,11 +74,11 @@ std::optional<Infeasible> check_stops(cost::Sea& sea, const ocean::Environment& 
       Infeasible infeasible =
           explain_place(*closed, kind_of(stop, layout), layout.stops[stop], sea, environment, request);
       if (moves == Moves::looked_for) {
-        infeasible.moves = moves_of(sea, layout, stop, token);
+        const auto nearest = nearest_usable_place(sea.domain(), layout.points[stop]);
+        infeasible.moves = moves_of(sea, layout, stop, nearest, token);
         if (closed == motion::EdgeClosed::on_land || closed == motion::EdgeClosed::too_shallow)
           infeasible.besides.push_back(
-              tell_of_nearest_water(kind_of(stop, layout), layout.stops[stop],
-                                    nearest_usable_place(sea.domain(), layout.points[stop])));
+              tell_of_nearest_water(kind_of(stop, layout), layout.stops[stop], nearest));
       }
       return infeasible;
     }
@@ -104,7 +104,9 @@ Result<Chart> chart_on(cost::Sea sea, const ocean::Environment& environment, cos
   const bool leaves_at_once = !request.departures.until && !request.departures.arrive_by;
   if (leaves_at_once) {
     if (auto closed = closed_start(chart, request, core::Seconds{0.0})) {
-      if (moves == Moves::looked_for) closed->moves = moves_of(chart.sea, chart.layout, 0, stop);
+      if (moves == Moves::looked_for)
+        closed->moves = moves_of(chart.sea, chart.layout, 0,
+                                 nearest_usable_place(chart.sea.domain(), chart.layout.points.front()), stop);
       return tl::unexpected(std::move(*closed));
     }
   }
