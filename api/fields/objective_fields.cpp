@@ -15,9 +15,10 @@ constexpr double heaviest = 1e6;
 const std::vector<Field>& objective_fields() {
   static const std::vector<Field> list{
       {.name = "objective",
+       .usual = std::string{"time"},
        .flag = "objective",
        .group = group::vehicle,
-       .help = "What to minimise: time (default), energy, or weights of a second and of a joule",
+       .help = "What to minimise: time, energy, or weights of a second and of a joule",
        .form = {"Optimise"}},
   };
   return list;

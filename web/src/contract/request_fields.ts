@@ -44,7 +44,7 @@ export const requestFields = {
   "depart_step": {"kind":"duration","flag":"depart-step","group":"Departure window","label":"Every","unit":"h","factor":3600},
   "arrive_by": {"kind":"time","flag":"arrive-by","group":"Departure window","label":"Latest arrival","unit":"UTC","blank":"any","hint":"The plan leaves as late as possible and arrives in time."},
   "alternatives": {"kind":"whole_number","usual":0,"flag":"alternatives","label":"Alternatives","blank":"0"},
-  "objective": {"kind":"structure","flag":"objective","group":"Vehicle","label":"Optimise"},
+  "objective": {"kind":"structure","usual":"time","flag":"objective","group":"Vehicle","label":"Optimise"},
   "objective.time": {"kind":"number","group":"Vehicle","label":"A second weighs"},
   "objective.energy": {"kind":"number","group":"Vehicle","label":"A joule weighs"},
   "thruster": {"kind":"word","words":["auto","on","off"],"usual":"auto","flag":"thruster","group":"Vehicle","label":"Thruster"},

@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { requestFields } from '../../src/contract/request_fields';
 import type { PlanInputs } from '../../src/contract/types';
 import type { Vehicle } from '../../src/contract/data_types';
 import { vehicles } from '../../src/model/datasets';
@@ -31,6 +32,21 @@ describe('settings in which plans differ', () => {
     const rows = settingRows([request({ vehicle: { profile: 'slocum-g3-200', dive_depth_m: 150 } }), request({ vehicle: 'slocum-g3-200' })]);
 
     expect(rows).toEqual([{ name: 'dive_depth_m', label: 'Dive depth', values: ['150 m', '–'] }]);
+  });
+
+  it('have the labels of the figures of a vehicle that the set-up keeps apart', () => {
+    const rows = settingRows([request({ vehicle: { profile: 'slocum-g3-200', hotel_w: 2 } }), request({ vehicle: 'slocum-g3-200' })]);
+
+    expect(rows).toEqual([{ name: 'vehicle.hotel_w', label: 'Hotel load', values: ['2 W', '–'] }]);
+  });
+
+  it('are not told where one states the usual value that the other leaves out, whatever the field', () => {
+    for (const [name, { usual }] of Object.entries(requestFields as Record<string, { usual?: unknown }>)) {
+      if (usual === undefined) continue;
+      const [object, member] = name.split('.');
+      const stated = member === undefined ? { [name]: usual } : { [object ?? '']: { [member]: usual } };
+      expect(settingRows([request(stated as Partial<PlanInputs>), request({})]), name).toEqual([]);
+    }
   });
 
   it('are not told where one states what the vehicle of the other has', () => {

@@ -18,14 +18,26 @@ export interface SettingRow {
 /** Told elsewhere in the comparison, or of no meaning for the route. */
 const leftOut = new Set(['name', 'remarks', 'vehicle', 'profile', 'depart', 'depart_until', 'depart_step', 'alternatives', 'currents', 'ice', 'icebergs']);
 
-/** The members of a request by name; those of an object by both names with a dot, those of the vehicle by their own, as in the set-up. */
+/** What the server's table says of each field. */
+const fields: Record<string, { usual?: unknown } | undefined> = requestFields;
+
+/**
+ * The name of a member of an object in the table of request fields: both names with a dot. The table names the common
+ * figures of the vehicle without it.
+ */
+function nameOf(object: string, member: string): string {
+  const name = `${object}.${member}`;
+  return object === 'vehicle' && !(name in fields) ? member : name;
+}
+
+/** The members of a request by their names in the table of request fields. */
 function flat(inputs: PlanInputs): Map<string, unknown> {
   const members = new Map<string, unknown>();
   for (const [name, value] of Object.entries(inputs)) {
     const isGroup = typeof value === 'object' && value !== null && !Array.isArray(value) && name !== 'areas' && name !== 'goals_file';
     const inner = isGroup ? Object.entries(value as object) : [];
     if (inner.length === 0) members.set(name, value);
-    for (const [part, of] of inner) members.set(name === 'vehicle' ? part : `${name}.${part}`, of);
+    for (const [member, of] of inner) members.set(nameOf(name, member), of);
   }
   return members;
 }
@@ -55,24 +67,22 @@ const own: Record<string, string> = { areas: 'Areas', goals_file: 'File with the
 const isEmpty = (value: unknown): boolean =>
   value === undefined || value === null || value === '' || (typeof value === 'object' && Object.keys(value).length === 0);
 
-const usualValues = requestFields as unknown as Record<string, { usual?: unknown } | undefined>;
-
 /** The vehicle of a request, whose own figures count where the request states none. The server takes the first of its list. */
 function vehicleOf({ vehicle }: PlanInputs): Partial<Record<string, unknown>> {
   const profile = typeof vehicle === 'string' ? vehicle : vehicle?.profile;
   return { ...(vehicles.value.find(({ name }) => name === profile) ?? (profile ? {} : vehicles.value[0])) };
 }
 
-/** What a plan was made with: what its request leaves out has the vehicle's value or the usual one. */
+/** What a plan was made with: a field that its request leaves out has the usual value of the table, or the vehicle's. */
 function effective(name: string, value: unknown, request: PlanInputs): unknown {
   if (!isEmpty(value)) return value;
-  return name === 'objective' ? 'time' : (usualValues[name]?.usual ?? vehicleOf(request)[name]);
+  return fields[name]?.usual ?? vehicleOf(request)[name.replace('vehicle.', '')];
 }
 
 /** One row for each setting that is not the same in all requests. */
 export function settingRows(requests: PlanInputs[]): SettingRow[] {
   const all = requests.map(flat);
-  const names = [...new Set(all.flatMap((members) => [...members.keys()]))].filter((name) => !leftOut.has(name.split('.')[0] ?? ''));
+  const names = [...new Set(all.flatMap((members) => [...members.keys()]))].filter((name) => !leftOut.has(name));
   return names.flatMap((name) => {
     const values = all.map((members, i) => effective(name, members.get(name), requests[i] ?? {}));
     if (new Set(values.map((value) => JSON.stringify(value ?? null))).size < 2) return [];
