@@ -31,6 +31,12 @@ export const timeFields = namesOf('time') as TimeField[];
 /** The number of units of the request in one unit of the form. */
 export const factorOf = (name: NumberField): number => fields[name]?.factor ?? 1;
 
+/** Whether the table of request fields has the name. */
+export const isField = (name: string): boolean => name in fields;
+
+/** What the server takes where a request leaves the field out. Fields of the vehicle have the value of its profile. */
+export const usualValue = (name: string): number | string | boolean | undefined => fields[name]?.usual;
+
 /** Whether a switch is on by default. */
 export const isUsual = (name: CheckField): boolean => fields[name]?.usual === true;
 

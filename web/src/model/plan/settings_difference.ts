@@ -1,9 +1,8 @@
 import type { Position } from '../../contract/data_types';
-import { requestFields } from '../../contract/request_fields';
 import type { PlanInputs } from '../../contract/types';
 import { formatPosition } from '../../geo/coordinates';
 import { vehicles } from '../datasets';
-import { formOf, numberFields, factorOf, timeFields, type NumberField } from '../fields';
+import { factorOf, formOf, isField, numberFields, timeFields, usualValue, type NumberField } from '../fields';
 import { settings } from '../settings';
 import { shortTime } from '../time';
 import { none } from '../units';
@@ -18,16 +17,13 @@ export interface SettingRow {
 /** Told elsewhere in the comparison, or of no meaning for the route. */
 const leftOut = new Set(['name', 'remarks', 'vehicle', 'profile', 'depart', 'depart_until', 'depart_step', 'alternatives', 'currents', 'ice', 'icebergs']);
 
-/** What the server's table says of each field. */
-const fields: Record<string, { usual?: unknown } | undefined> = requestFields;
-
 /**
  * The name of a member of an object in the table of request fields: both names with a dot. The table names the common
  * figures of the vehicle without it.
  */
 function nameOf(object: string, member: string): string {
   const name = `${object}.${member}`;
-  return object === 'vehicle' && !(name in fields) ? member : name;
+  return object === 'vehicle' && !isField(name) ? member : name;
 }
 
 /** The members of a request by their names in the table of request fields. */
@@ -76,7 +72,7 @@ function vehicleOf({ vehicle }: PlanInputs): Partial<Record<string, unknown>> {
 /** What a plan was made with: a field that its request leaves out has the usual value of the table, or the vehicle's. */
 function effective(name: string, value: unknown, request: PlanInputs): unknown {
   if (!isEmpty(value)) return value;
-  return fields[name]?.usual ?? vehicleOf(request)[name.replace('vehicle.', '')];
+  return usualValue(name) ?? vehicleOf(request)[name.replace('vehicle.', '')];
 }
 
 /** One row for each setting that is not the same in all requests. */
