@@ -5,7 +5,7 @@ import { wrapLongitude } from '../geo/geodesic';
 import { project, projections } from '../geo/projections';
 import { visible } from '../model/layers';
 import { projection } from '../model/settings';
-import { toolsReach_px, view } from '../model/view';
+import { noteHeight_px, toolsReach_px, view } from '../model/view';
 import { palette } from '../theme/palette';
 import { CanvasLayer, type Frame } from './canvas_layer';
 
@@ -25,7 +25,7 @@ export function graticuleLayer(): CanvasLayer {
   effect(() => {
     layer.setVisible(visible.value.graticule);
   });
-  for (const cause of [view, palette, projection, toolsReach_px]) cause.subscribe(() => layer.changed());
+  for (const cause of [view, palette, projection, toolsReach_px, noteHeight_px]) cause.subscribe(() => layer.changed());
   return layer;
 }
 
@@ -85,7 +85,7 @@ class Labels {
   constructor(private readonly frame: Frame) {}
 
   atBottom(line: [number, number][], text: string): void {
-    const y = this.frame.height - 12;
+    const y = this.frame.height - noteHeight_px.peek() - 12;
     const x = crossing(line, 1, y);
     if (x !== undefined && x > 60 && x < this.frame.width - 24) this.write(x, y, text);
   }
@@ -96,7 +96,7 @@ class Labels {
     const isHidden = beside !== undefined && beside < tools.bottom + halfHeight_px;
     const x = isHidden ? frameLeft_px + tools.right : frameLeft_px;
     const y = isHidden ? crossing(line, 0, x) : beside;
-    if (y !== undefined && y > 12 && y < this.frame.height - 40) this.write(x, y, text);
+    if (y !== undefined && y > 12 && y < this.frame.height - noteHeight_px.peek() - 40) this.write(x, y, text);
   }
 
   private write(x: number, y: number, text: string): void {

@@ -32,7 +32,7 @@ import { opening } from '../model/shared_view';
 import { shownFlight } from '../model/plan/simulations';
 import { visible } from '../model/layers';
 import { gliderTracks, hoveredTrack } from '../model/tracks';
-import { command, hoveredBerg, pointer, tool, view, type Command } from '../model/view';
+import { command, hoveredBerg, legendSize_px, pointer, tool, view, type Command } from '../model/view';
 import { areaLayer } from './area_layer';
 import { bathymetryLayer } from './bathymetry_layer';
 import { coastLayer } from './coast_layer';
@@ -158,11 +158,18 @@ function cornersOf([west, south, east, north]: Box): Position[] {
 }
 
 /**
- * Width of the screen elements over the map's edges, clockwise from the top: tools on the left and, where the map is
- * wide, the legend on the right.
+ * Width of the screen elements over the map's edges, clockwise from the top: tools on the left, and an unfolded legend
+ * at the lower right. What is fitted comes to lie beside the legend or above it, where there is more room.
  */
 function coveredEdges_px(map: Map): [number, number, number, number] {
-  return (map.getSize()?.[0] ?? 0) > 600 ? [70, 270, 80, 100] : [70, 20, 60, 60];
+  const [width = 0, height = 0] = map.getSize() ?? [];
+  const [top, right, bottom, left] = width > 600 ? [70, 60, 80, 100] : [70, 20, 60, 60];
+  const legend = legendSize_px.peek();
+  if (legend.width === 0) return [top, right, bottom, left];
+  const beside_px = legend.width + 54; // with the name of the goal
+  const below_px = legend.height + 54;
+  const isBeside = (width - left - beside_px) * (height - top - bottom) >= (width - left - right) * (height - top - below_px);
+  return isBeside ? [top, beside_px, bottom, left] : [top, right, below_px, left];
 }
 
 /** Southern limit for fitting the map: in a polar projection shapes are too distorted further south. */

@@ -1,6 +1,10 @@
 import type { VNode } from 'preact';
 import { change, settings } from '../../model/settings';
+import { dialog } from '../../model/screen';
+import { copyLink } from '../common/copy_link';
+import { Icon } from '../common/icon';
 import { Modal } from '../common/modal';
+import { UnitSwitches } from '../common/unit_switches';
 
 const keys: [string, string][] = [
   ['Space', 'play or pause the clock'],
@@ -28,6 +32,7 @@ const keys: [string, string][] = [
   ['?', 'this list'],
 ];
 
+/** The keys, and the settings of this browser. The bar at the top has no room for some of these on a narrow or magnified screen. */
 export function HelpDialog(): VNode {
   return (
     <Modal title="Help and settings" guide="front">
@@ -35,6 +40,11 @@ export function HelpDialog(): VNode {
         Give a start and a goal (click or type), a departure and a vehicle, and press <b>Plan route</b>. One clock drives currents,
         icebergs and the vehicle. All times are UTC; positions are WGS84.
       </p>
+      <div class="settings-row only-narrow">
+        <UnitSwitches />
+        <button type="button" onClick={() => { dialog.value = 'jobs'; }}><Icon name="list" /> Jobs</button>
+        <button type="button" onClick={() => void copyLink()}><Icon name="share" /> Copy a link to this view</button>
+      </div>
       <dl class="keys">
         {keys.map(([key, text]) => (
           <div key={key}>

@@ -3,11 +3,12 @@ import type { Dataset } from '../../contract/data_types';
 import { projectionCodes, projections, type ProjectionCode } from '../../geo/projections';
 import { chosenBathymetry, chosenCoastline, chosenCurrents, chosenSeaIce, connectionFault, datasets, isSynthetic, lastSighted } from '../../model/datasets';
 import { locked, signedIn } from '../../model/login';
-import { dialog, drawer, leftTab, tell } from '../../model/screen';
+import { dialog, drawer, leftTab } from '../../model/screen';
 import { change, settings } from '../../model/settings';
-import { addressOfView } from '../../model/shared_view';
 import { age, shortTime } from '../../model/time';
+import { copyLink } from '../common/copy_link';
 import { Icon, IconButton } from '../common/icon';
+import { UnitSwitches } from '../common/unit_switches';
 
 /** The bar at the top: data in use, projection, units. */
 export function Header(): VNode {
@@ -24,8 +25,7 @@ export function Header(): VNode {
             {projectionCodes.map((code) => <option key={code} value={code}>{code.slice(5)}: {projections[code].title}</option>)}
           </select>
         </label>
-        <Switch label="Distances" now={now.distance} choices={[['km', 'km'], ['nm', 'NM']]} choose={(distance) => change({ distance })} />
-        <Switch label="Speeds" now={now.speed} choices={[['m/s', 'm/s'], ['kn', 'kn']]} choose={(speed) => change({ speed })} />
+        <UnitSwitches />
         <IconButton icon="share" label="Copy a link to this view" class="only-wide" onClick={() => void copyLink()} />
         <IconButton icon="list" label="Jobs" class="only-wide" onClick={() => { dialog.value = 'jobs'; }} />
         <ThemeButton />
@@ -34,26 +34,6 @@ export function Header(): VNode {
       </div>
       <IconButton icon="list" label="Waypoints" class="only-narrow" onClick={() => { drawer.value = drawer.value === 'right' ? undefined : 'right'; }} />
     </header>
-  );
-}
-
-/** Shown if the clipboard cannot be used: the link is copied from the address bar. */
-async function copyLink(): Promise<void> {
-  try {
-    await navigator.clipboard.writeText(addressOfView());
-    tell('The link to this view was copied.');
-  } catch {
-    tell('The address bar holds the link to this view; copy it from there.');
-  }
-}
-
-function Switch<T extends string>({ label, now, choices, choose }: { label: string; now: T; choices: [T, string][]; choose: (value: T) => void }): VNode {
-  return (
-    <div class="switch" role="group" aria-label={label}>
-      {choices.map(([value, title]) => (
-        <button type="button" key={value} aria-pressed={now === value} onClick={() => choose(value)}>{title}</button>
-      ))}
-    </div>
   );
 }
 
@@ -110,9 +90,13 @@ function DataBar(): VNode {
 
 const hourOf = (time: string): string => shortTime(Date.parse(time)).replace(':00Z', 'Z');
 
+/** The first and last time of a dataset; "22–28 Nov 00Z" where they differ in the day alone. */
 function spanOf({ time_start, time_end }: Dataset): string | undefined {
   if (!time_start || !time_end) return undefined;
-  return time_start === time_end ? hourOf(time_start) : `${hourOf(time_start)} – ${hourOf(time_end)}`;
+  const [first, last] = [hourOf(time_start), hourOf(time_end)];
+  if (first === last) return first;
+  const [day = '', ...rest] = first.split(' ');
+  return last.endsWith(` ${rest.join(' ')}`) ? `${day}–${last}` : `${first} – ${last}`;
 }
 
 /**

@@ -15,16 +15,22 @@ import { change, settings } from '../../model/settings';
 import { shortTime } from '../../model/time';
 import { gliderTracks } from '../../model/tracks';
 import { speedFigure, speedUnit } from '../../model/units';
+import { legendSize_px } from '../../model/view';
 import { closedWaypoints, isLegBelowIce } from '../../model/ice/under_ice';
 import { belowIceDash, currentLimits_m_s, depthLimits_m, palette, planColour, seaIceHatches } from '../../theme/palette';
+import { useSize } from '../common/use_size';
 
 /** Folded where the map is small, until a person folds or unfolds it; what they chose is remembered. */
-const roomy = window.matchMedia('(min-width: 1100px) and (min-height: 780px)');
+const roomy = window.matchMedia('(min-width: 1361px) and (min-height: 780px)');
 const hasRoom = signal(roomy.matches);
 roomy.addEventListener('change', ({ matches }) => {
   hasRoom.value = matches;
 });
 const open = computed(() => settings.value.legend ?? hasRoom.value);
+
+const publishSize = (legend: HTMLDetailsElement | undefined): void => {
+  legendSize_px.value = legend?.open ? { width: legend.offsetWidth, height: legend.offsetHeight } : { width: 0, height: 0 };
+};
 
 /** The meaning of colours and signs, with units. */
 export function Legend(): VNode | null {
@@ -36,9 +42,10 @@ export function Legend(): VNode | null {
   const tracks = shown.tracks && gliderTracks.value.length > 0;
   const chart = shown.iceChart && drawnChart.value;
   const plan = shown.plans && selectedShown.value;
+  const box = useSize(publishSize);
   if (!depths && !currents && !ice && !chart && !bergs && !tracks) return null;
   return (
-    <details class="legend" open={open.value} onToggle={(event) => { if (event.currentTarget.open !== open.peek()) change({ legend: event.currentTarget.open }); }}>
+    <details ref={box} class="legend" open={open.value} onToggle={(event) => { if (event.currentTarget.open !== open.peek()) change({ legend: event.currentTarget.open }); }}>
       <summary>Legend</summary>
       {depths && <Depths />}
       {currents && <Currents />}

@@ -6,9 +6,10 @@ import { isSynthetic } from '../../model/datasets';
 import { drawnCorners, fewestCorners } from '../../model/drawing';
 import { currentsFault, isLoading } from '../../model/field';
 import { routeOf, selectedPlan } from '../../model/plan/plans';
-import { ask, tool, toolsReach_px, view } from '../../model/view';
+import { ask, noteHeight_px, tool, toolsReach_px, view } from '../../model/view';
 import { IconButton } from '../common/icon';
 import { UndoButtons } from '../common/undo_buttons';
+import { useSize } from '../common/use_size';
 import { BergCard } from './berg_card';
 import { EmptyStore } from './empty_store';
 import { Legend } from './legend';
@@ -19,9 +20,15 @@ import { ScaleBar } from './scale_bar';
 const map_keys =
   'Map. Arrow keys move it, with Shift a little, plus and minus zoom, N turns north up, question mark lists all keys. With a tool, Space sets the place in the middle.';
 
+/** It has no height on a wide screen, where the note stands in the left panel. */
+const publishNote = (note: HTMLParagraphElement | undefined): void => {
+  noteHeight_px.value = note?.offsetHeight ?? 0;
+};
+
 /** The map and the elements on its frame. */
 export function MapPanel(): VNode {
   const target = useRef<HTMLDivElement>(null);
+  const note = useSize(publishNote);
   useEffect(() => {
     if (target.current) createMap(target.current, (place) => void probeAt(place));
   }, []);
@@ -43,24 +50,19 @@ export function MapPanel(): VNode {
       </div>
       {currentsFault.value && <p class="map-note" role="status">{currentsFault.value}</p>}
       {isLoading.value && <div class="map-loading" aria-hidden="true" />}
-      <p class="map-disclaimer">{isSynthetic.value ? 'Synthetic data. ' : ''}Not for navigation; check before flight.</p>
+      <p ref={note} class="map-disclaimer">{isSynthetic.value ? 'Synthetic data. ' : ''}Not for navigation; check before flight.</p>
       <EmptyStore />
     </main>
   );
 }
 
+const publishTools = (tools: HTMLDivElement | undefined): void => {
+  if (tools) toolsReach_px.value = { right: tools.offsetLeft + tools.offsetWidth, bottom: tools.offsetTop + tools.offsetHeight };
+};
+
 function Toolbar(): VNode {
   const plan = selectedPlan.value;
-  const box = useRef<HTMLDivElement>(null);
-  useEffect(() => {
-    const tools = box.current;
-    if (!tools) return;
-    const watch = new ResizeObserver(() => {
-      toolsReach_px.value = { right: tools.offsetLeft + tools.offsetWidth, bottom: tools.offsetTop + tools.offsetHeight };
-    });
-    watch.observe(tools);
-    return () => watch.disconnect();
-  }, []);
+  const box = useSize(publishTools);
   return (
     <div ref={box} class="toolbar" role="toolbar" aria-label="Map tools" aria-orientation="vertical">
       <IconButton icon="plus" label="Zoom in (+)" onClick={() => ask({ do: 'zoom', by: 1 })} />

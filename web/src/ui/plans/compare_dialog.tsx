@@ -4,6 +4,7 @@ import type { VNode } from 'preact';
 import { learnRequest } from '../../actions/plan_inputs';
 import type { DatasetKind } from '../../contract/data_types';
 import type { Plan } from '../../contract/types';
+import { vehicles } from '../../model/datasets';
 import { ofRank } from '../../model/messages';
 import { baseline, baselineId, shownPlans, titleOf } from '../../model/plan/plans';
 import { settingRows } from '../../model/plan/settings_difference';
@@ -65,7 +66,7 @@ const columns: Column[] = [
 /** Inputs and data of a plan as texts, which are equal or not. */
 const inputs: { title: string; words: (plan: Plan) => string }[] = [
   { title: 'Departure', words: (plan) => shortTime(Date.parse(plan.departure)) },
-  { title: 'Vehicle', words: (plan) => plan.vehicle },
+  { title: 'Vehicle', words: ({ vehicle }) => vehicles.value.find(({ name }) => name === vehicle)?.title ?? vehicle },
   { title: 'Currents', words: (plan) => dataOf(plan, 'currents') },
   { title: 'Sea ice', words: (plan) => dataOf(plan, 'ice') },
   { title: 'Icebergs', words: (plan) => dataOf(plan, 'icebergs') },
@@ -152,7 +153,7 @@ function DifferingSettings(): VNode | null {
       {known.length < compared.length && <p class="hint">The settings of {compared.length - known.length} of {compared.length} plans are not known.</p>}
       {rows.length === 0 ? <p class="quiet">None but those above.</p> : (
         <div class="scroll-box" tabIndex={0} role="region" aria-label="Settings that differ, a row each">
-          <table class="figures">
+          <table class="figures differing">
             <thead>
               <tr>
                 <th scope="col">Setting</th>
