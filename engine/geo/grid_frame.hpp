@@ -54,7 +54,7 @@ struct TransverseMercatorFrame {
   friend bool operator==(TransverseMercatorFrame, TransverseMercatorFrame) = default;
 };
 
-/// The coordinates in which a stored grid is regular. Grids in other projections are resampled during ingest.
+/// The coordinates in which a stored grid is regular. Grids in other projections are stored as meshes of points.
 using GridFrame = std::variant<GeographicFrame, PolarStereographicFrame, TransverseMercatorFrame>;
 
 [[nodiscard]] GridPoint to_grid(const GridFrame& frame, LonLat place);

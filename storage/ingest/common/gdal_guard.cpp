@@ -75,7 +75,7 @@ void register_drivers() {
     GDALRegister_BAG();
     GDALRegister_AAIGrid();
     GDALRegister_XYZ();
-    GDALRegister_MEM();  // resampling writes into it; no file is read with it
+    GDALRegister_MEM();  // tables and polygons are laid on a grid in it; no file is read with it
     RegisterOGRGeoJSON();
     RegisterOGRGeoPackage();
     RegisterOGRMEM();  // the content of KML files is read into it

@@ -3,19 +3,11 @@
 #include <utility>
 
 #include "engine/messages/ingest_grid_messages.hpp"
-#include "engine/ocean/grids/mesh_lattice.hpp"
 #include "engine/ocean/grids/mesh_sampling.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_grid.hpp"
 #include "storage/ingest/formats/netcdf/position_tables.hpp"
-#include "storage/ingest/grids/row_mesh.hpp"
 
 namespace floeplan::ingest {
-std::vector<float> BentPlane::as_kept(std::span<const float> values) const {
-  std::vector<float> kept;
-  kept.reserve(own.sources.size());
-  for (const std::uint32_t point : own.sources) kept.push_back(values[point]);
-  return kept;
-}
 
 Checked<std::optional<BentPlane>> bent_plane_of(const std::shared_ptr<const NetcdfFile>& file,
                                                 const NetcdfVariable& variable) {
@@ -29,11 +21,12 @@ Checked<std::optional<BentPlane>> bent_plane_of(const std::shared_ptr<const Netc
 
   auto water = mask_over({file}, variable, *plane, "mask_rho");
   if (!water) return refuse(water.error());
-  const ocean::Mesh mesh = mesh_of_rows(std::move((*positions)->places), (*positions)->columns);
-  auto grid = ocean::lattice_for(mesh);
-  if (!grid) return refuse(messages::ingest_grid_message<"positions-enclose-no-area">());
-  if (!ocean::MeshSampling::of(mesh, *grid)) return refuse(messages::ingest_grid_message<"cells-overlap">());
-  return BentPlane{std::move(*layout), repository::in_blocks(mesh), std::move(*grid), std::move(*water)};
+  auto own = own_points_of(std::move((*positions)->places), (*positions)->columns);
+  if (!own) return refuse(own.error());
+  // Many cells lie over one another only where the tables are damaged.
+  if (!ocean::MeshSampling::of(own->kept.mesh, own->grid))
+    return refuse(messages::ingest_grid_message<"cells-overlap">());
+  return BentPlane{std::move(*layout), std::move(*own), std::move(*water)};
 }
 
 Checked<PlacedVariable> place_of(const std::shared_ptr<const NetcdfFile>& file,
@@ -46,7 +39,7 @@ Checked<PlacedVariable> place_of(const std::shared_ptr<const NetcdfFile>& file,
   auto bent = bent_plane_of(file, variable);
   if (!bent) return refuse(bent.error());
   if (!*bent) return refuse(grid.error());
-  return PlacedVariable{(*bent)->layout, (*bent)->grid, std::move(*bent)};
+  return PlacedVariable{(*bent)->layout, (*bent)->own.grid, std::move(*bent)};
 }
 
 }  // namespace floeplan::ingest

@@ -2,30 +2,22 @@
 
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
-#include <vector>
 
 #include "engine/ocean/grids/horizontal_grid.hpp"
-#include "engine/ocean/grids/mesh_sampling.hpp"
 #include "storage/ingest/common/refusal.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_file.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_layout.hpp"
+#include "storage/ingest/grids/own_points.hpp"
 #include "storage/ingest/grids/water_mask.hpp"
-#include "storage/repository/fields/mesh_blocks.hpp"
 
 namespace floeplan::ingest {
 
 /// A variable on a bent grid, whose places are two-dimensional tables.
 struct BentPlane {
-  NetcdfLayout layout;           // its points, [row][column]
-  repository::MeshInBlocks own;  // those that lie in a cell, as they are kept
-  ocean::HorizontalGrid grid;    // on which they are used
-  WaterMask water;               // of ROMS, which has depths on land too
-
-  /// The values of the points that are kept, in the order in which they are kept. `values` are those of all
-  /// points of `layout`.
-  [[nodiscard]] std::vector<float> as_kept(std::span<const float> values) const;
+  NetcdfLayout layout;  // its points, [row][column]
+  OwnPoints own;        // numbered as in `layout`
+  WaterMask water;      // of ROMS, which has depths on land too
 };
 
 /// Returns  nullopt if the file has no tables of positions over the variable's horizontal dimensions

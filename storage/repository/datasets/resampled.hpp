@@ -13,6 +13,7 @@ namespace floeplan::repository {
   return std::ranges::any_of(warnings, [](const std::string& warning) {
     return warning.starts_with("resampled from ") ||
            warning.find("was resampled from a bent grid of") != std::string::npos ||
+           warning.starts_with("the grid was resampled from ") ||
            warning.find("points (a bent and staggered grid)") != std::string::npos;
   });
 }

@@ -329,14 +329,14 @@ std::optional<ocean::Bathymetry> FieldRepository::load_bathymetry(const DatasetI
   if (!window) return std::nullopt;
 
   ocean::HorizontalGrid around{stored->grid.frame(), window->x.nodes, window->y.nodes};
-  if (layout->native) return read_native_depths(db_, *layout->native, area, around);
+  const bool has_shoalest = holds(db_, layout->chunks, "shoalest_m");
+  if (layout->native) return read_native_depths(db_, *layout->native, area, around, has_shoalest);
   ChunkReader reader{db_, layout->chunks};
   const auto read = [&](const std::string& variable) {
     return read_block(reader, variable, {0, 1}, {0, 1}, *window, stop_);
   };
-  return ocean::Bathymetry{
-      std::move(around), read("depth_m"),
-      holds(db_, layout->chunks, "shoalest_m") ? read("shoalest_m") : std::vector<float>{}};
+  return ocean::Bathymetry{std::move(around), read("depth_m"),
+                           has_shoalest ? read("shoalest_m") : std::vector<float>{}};
 }
 
 std::optional<ocean::IceField> FieldRepository::load_ice(const DatasetId& id, const geo::BoundingBox& area,

@@ -153,6 +153,13 @@ StoredCells read_cells(sql::Connection& db, std::int64_t dataset_row, const std:
 
 }  // namespace
 
+std::vector<float> MeshInBlocks::in_order(std::span<const float> values) const {
+  std::vector<float> ordered;
+  ordered.reserve(sources.size());
+  for (const std::uint32_t point : sources) ordered.push_back(values[point]);
+  return ordered;
+}
+
 MeshInBlocks in_blocks(const Mesh& mesh) {
   std::vector<bool> used(mesh.points.size());
   for (const Mesh::Cell& cell : mesh.cells)

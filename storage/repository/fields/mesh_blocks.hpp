@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/geo/bounding_box.hpp"
@@ -14,6 +15,9 @@ namespace floeplan::repository {
 struct MeshInBlocks {
   ocean::Mesh mesh;
   std::vector<std::uint32_t> sources;  // earlier number of each point
+
+  /// The values of the points; `values` are those of the points by their earlier numbers.
+  [[nodiscard]] std::vector<float> in_order(std::span<const float> values) const;
 };
 
 /// Renumbers the points along a curve that fills the globe. Points that belong to no cell are dropped.

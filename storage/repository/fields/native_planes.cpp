@@ -11,13 +11,16 @@
 namespace floeplan::repository {
 
 ocean::Bathymetry read_native_depths(sql::Connection& db, const NativeLayout& layout,
-                                     const geo::BoundingBox& area, const ocean::HorizontalGrid& lattice) {
+                                     const geo::BoundingBox& area, const ocean::HorizontalGrid& lattice,
+                                     bool has_shoalest) {
   const MeshPart part = MeshBlocks{db}.around(layout.chunks.dataset_row, area);
   ocean::HorizontalGrid nodes = nodes_of_use(area, lattice, part.mesh);
   const ocean::MeshSampling sampling = sampling_of(part.mesh, nodes);
-  const std::vector<float> depths_m = PointReader{db, layout, part}.read({"depth_m", 0, 0});
+  PointReader reader{db, layout, part};
+  const std::vector<float> depths_m = reader.read({"depth_m", 0, 0});
+  const std::vector<float> around_m = has_shoalest ? reader.read({"shoalest_m", 0, 0}) : depths_m;
   std::vector<float> shoalest_m =
-      is_one_place(area) ? sampling.least(depths_m) : ocean::least_of_cells(part.mesh, nodes, depths_m);
+      is_one_place(area) ? sampling.least(around_m) : ocean::least_of_cells(part.mesh, nodes, around_m);
   return {std::move(nodes), sampling.apply(depths_m), std::move(shoalest_m)};
 }
 

@@ -14,10 +14,11 @@ namespace floeplan::repository {
 
 /// Depths at a model's own points, interpolated at the nodes of use (`nodes_of_use`). The least depth at a place is no more
 /// than that of the shoalest corner of the cell in which it lies.
-/// `lattice`  of the dataset, about the area
+/// `lattice`       of the dataset, about the area
+/// `has_shoalest`  whether the least depth round each point is stored beside its depth
 [[nodiscard]] ocean::Bathymetry read_native_depths(sql::Connection& db, const NativeLayout& layout,
                                                    const geo::BoundingBox& area,
-                                                   const ocean::HorizontalGrid& lattice);
+                                                   const ocean::HorizontalGrid& lattice, bool has_shoalest);
 
 /// Sea ice at a model's own points, interpolated at the nodes of use.
 /// `lattice`  of the dataset, about the area

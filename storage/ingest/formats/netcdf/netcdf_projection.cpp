@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "engine/messages/ingest_netcdf_messages.hpp"
 #include "storage/ingest/common/gdal_guard.hpp"
@@ -12,6 +11,7 @@
 #include "storage/ingest/formats/netcdf/netcdf_coordinates.hpp"
 #include "storage/ingest/notation/crs_text.hpp"
 #include "storage/ingest/notation/grid_frame_of_crs.hpp"
+#include "storage/ingest/notation/places_by_crs.hpp"
 #include "storage/ingest/notation/text.hpp"
 
 namespace floeplan::ingest {
@@ -158,35 +158,12 @@ Checked<std::vector<geo::LonLat>> places_by_projection(const NetcdfFile& file, c
     return refuse(messages::ingest_netcdf_message<"too-many-nodes">("the grid of \"" + variable.name() + "\"",
                                                                     ys->size(), xs->size(), max_grid_points));
 
-  const GdalMessages messages;
-  OGRSpatialReference crs{*projection_of(file, variable)};
-  crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-  // Longitude and latitude on the same figure of the Earth, because the step from a sphere to WGS84 must not
-  // move points.
-  OGRSpatialReference geographic;
-  geographic.SetGeogCS("own", "own", "own", crs.GetSemiMajor(), crs.GetInvFlattening());
-  geographic.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-  const std::unique_ptr<OGRCoordinateTransformation> way{
-      OGRCreateCoordinateTransformation(&crs, &geographic)};
-  if (!way)
-    return refuse(
-        messages::ingest_netcdf_message<"projection-unusable">(variable.name(), messages.first_error()));
-
-  constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
-  std::vector<geo::LonLat> places;
-  places.reserve(ys->size() * xs->size());
-  for (const double y : *ys) {
-    std::vector<double> lons = *xs;
-    std::vector<double> lats(xs->size(), y);
-    std::vector<int> reached(xs->size(), 0);
-    way->Transform(static_cast<int>(lons.size()), lons.data(), lats.data(), nullptr, reached.data());
-    for (std::size_t i = 0; i < lons.size(); ++i) {
-      const bool known = reached[i] != 0 && std::isfinite(lons[i]) && std::abs(lats[i]) <= 90.0;
-      places.push_back(known ? geo::LonLat{geo::wrap_longitude(lons[i]), lats[i]}
-                             : geo::LonLat{nowhere, nowhere});
-    }
-  }
-  return places;
+  auto places = places_by_crs(
+      *projection_of(file, variable), ys->size(), xs->size(),
+      [&](std::size_t row, std::size_t column) { return geo::GridPoint{(*xs)[column], (*ys)[row]}; });
+  if (!places)
+    return refuse(messages::ingest_netcdf_message<"projection-unusable">(variable.name(), places.error()));
+  return std::move(*places);
 }
 
 }  // namespace floeplan::ingest

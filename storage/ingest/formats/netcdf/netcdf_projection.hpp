@@ -22,8 +22,7 @@ namespace floeplan::ingest {
 [[nodiscard]] bool is_placed_by_projection(const NetcdfFile& file, const NetcdfVariable& variable,
                                            std::size_t y_dimension, std::size_t x_dimension);
 
-/// The positions of all points over these two dimensions. Latitudes on a sphere are used as those of the
-/// Earth, as models that compute on a sphere mean them.
+/// The positions of all points over these two dimensions (`places_by_crs`).
 /// Shape    [y][x], in the order of the file; a point outside the range of the projection is not finite
 /// Errors   the coordinates are damaged or are not lengths; there are more points than this program accepts
 [[nodiscard]] Checked<std::vector<geo::LonLat>> places_by_projection(const NetcdfFile& file,

@@ -187,18 +187,20 @@ DepthRows depths_of(const RawRows& rows, VerticalSense sense, const Survey& surv
   return result;
 }
 
-/// Depths at a model's own points, all of one slice.
+/// Depths at points of their own, all of one slice, and beside them the shoalest of each cell where it is known.
 Checked<void> write_at_own_points(const RawBathymetry& raw, const Survey& survey, VerticalSense sense,
                                   sql::Connection& db, const repository::DatasetId& id) {
-  std::vector<float> depths_m;
+  DepthRows all;
   const auto read = for_each_band(sides_of(raw), raw.read, [&](std::size_t, const RawRows& rows) {
-    const std::vector<float> band_m = depths_of(rows, sense, survey).depth_m;
-    depths_m.insert(depths_m.end(), band_m.begin(), band_m.end());
+    const DepthRows band = depths_of(rows, sense, survey);
+    all.depth_m.insert(all.depth_m.end(), band.depth_m.begin(), band.depth_m.end());
+    all.shoalest_m.insert(all.shoalest_m.end(), band.shoalest_m.begin(), band.shoalest_m.end());
   });
   if (!read) return tl::unexpected(read.error());
   repository::FieldRepository fields{db};
   fields.create(id, {raw.grid, std::nullopt, std::nullopt}, {raw.own_points->mesh});
-  fields.write_slice(id, "depth_m", 0, 0, depths_m);
+  fields.write_slice(id, "depth_m", 0, 0, all.depth_m);
+  if (survey.has_shoaler_cells(sense)) fields.write_slice(id, "shoalest_m", 0, 0, all.shoalest_m);
   return {};
 }
 

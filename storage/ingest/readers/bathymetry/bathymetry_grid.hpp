@@ -18,7 +18,7 @@ namespace floeplan::ingest {
 /// rows, because an ocean's grid does not fit into the memory of a reading process.
 struct RawBathymetry {
   ocean::HorizontalGrid grid;
-  /// A model's own points, at which the depths are kept, one to a row; empty: they lie at the grid's nodes.
+  /// Points of their own, at which the depths are kept, one to a row; empty: they lie at the grid's nodes.
   std::optional<repository::MeshInBlocks> own_points{};
   VerticalDescription description;
   Messages warnings;

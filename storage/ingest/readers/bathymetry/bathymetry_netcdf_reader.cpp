@@ -70,7 +70,7 @@ Checked<RawRows> rows_of_bent(const NetcdfVariable& variable, const BentPlane& p
     const bool possible = std::abs(value * factor) <= deepest_m && std::abs(value) != customary_mark;
     metres.push_back(possible ? static_cast<float>(value * factor) : std::numeric_limits<float>::quiet_NaN());
   }
-  return RawRows{plane.as_kept(metres)};
+  return RawRows{plane.own.kept.in_order(metres)};
 }
 
 }  // namespace
@@ -124,10 +124,10 @@ Checked<PreparedDataset> read_netcdf_bathymetry(std::shared_ptr<const NetcdfFile
   if (bent) {
     auto rows = rows_of_bent(*variable, *bent, *factor);
     if (!rows) return refuse(rows.error());
-    raw.warnings.push_back(
-        messages::ingest_depth_message<"depths-kept-at-own-points">(bent->own.mesh.points.size()));
+    raw.warnings.push_back(messages::ingest_depth_message<"depths-kept-at-own-points">(
+        bent->own.kept.mesh.points.size(), std::string{"a bent grid"}));
     raw.read = rows_in_memory(std::move(*rows), 1);
-    raw.own_points = std::move(bent->own);
+    raw.own_points = std::move(bent->own.kept);
     return prepare_bathymetry(std::move(raw), options.positive);
   }
   raw.read = [file = std::move(file), variable, layout = std::move(place->layout), factor = *factor](

@@ -1,5 +1,4 @@
 #include <gdal_priv.h>
-#include <gdal_utils.h>
 #include <ogr_spatialref.h>
 
 #include <algorithm>
@@ -7,7 +6,9 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -15,8 +16,10 @@
 #include "storage/ingest/common/gdal_guard.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_axis.hpp"
 #include "storage/ingest/formats/netcdf/variable_meaning.hpp"
+#include "storage/ingest/grids/own_points.hpp"
 #include "storage/ingest/notation/cf_units.hpp"
 #include "storage/ingest/notation/grid_frame_of_crs.hpp"
+#include "storage/ingest/notation/places_by_crs.hpp"
 #include "storage/ingest/notation/text.hpp"
 #include "storage/ingest/readers/bathymetry/bathymetry_grid.hpp"
 #include "storage/ingest/readers/bathymetry/bathymetry_readers.hpp"
@@ -26,8 +29,10 @@
 namespace floeplan::ingest {
 namespace {
 
-constexpr std::int64_t max_nodes = 4'000'000'000;   // GEBCO's grid has 3.7e9
-constexpr std::int64_t max_resampled = 20'000'000;  // resampled grids are held in memory, with their extremes
+constexpr std::int64_t max_nodes = 4'000'000'000;  // GEBCO's grid has 3.7e9
+/// Most nodes that are kept at places of their own. Their mesh is made in memory by the reading process, which has
+/// 480 MB and 5 s for a small file: a node takes about 120 bytes and 1.7 us.
+constexpr std::int64_t max_own_places = 2'000'000;
 
 bool is_picture(GDALDataset& dataset) {
   GDALRasterBand* band = dataset.GetRasterBand(1);
@@ -50,29 +55,20 @@ int depth_band(GDALDataset& dataset) {
 
 using DatasetPtr = std::unique_ptr<GDALDataset>;
 
-Checked<DatasetPtr> resampled(GDALDataset& dataset, const OGRSpatialReference& crs, const char* target_crs,
-                              const char* method) {
-  const std::string source_crs = wkt_of(crs);
-  const char* const arguments[] = {"-of",  "MEM", "-s_srs",  source_crs.c_str(), "-t_srs", target_crs, "-r",
-                                   method, "-ot", "Float32", "-dstnodata",       "nan",    nullptr};
-  GDALWarpAppOptions* options = GDALWarpAppOptionsNew(const_cast<char**>(arguments), nullptr);
-  const GdalMessages messages;
-  GDALDatasetH source = GDALDataset::ToHandle(&dataset);
-  DatasetPtr result{GDALDataset::FromHandle(GDALWarp("", nullptr, 1, &source, options, nullptr))};
-  GDALWarpAppOptionsFree(options);
-  if (!result) return refuse(messages::ingest_depth_message<"grid-not-convertible">(messages.first_error()));
-  return result;
-}
-
-/// One band of a raster with the meaning of its numbers.
+/// One band of a raster with the unit of its numbers.
 struct Plane {
   GDALRasterBand* band{};  // borrowed
-  AxisNodes x;
-  AxisNodes y;
   double unit_m{};
 };
 
-Checked<std::vector<float>> read_plane(const Plane& plane, std::size_t first_row, std::size_t rows) {
+/// Rows and columns of a raster in the order in which its values are used.
+struct Order {
+  std::vector<std::size_t> rows;
+  std::vector<std::size_t> columns;
+};
+
+Checked<std::vector<float>> read_plane(const Plane& plane, const Order& order, std::size_t first_row,
+                                       std::size_t rows) {
   GDALRasterBand& band = *plane.band;
   int has_nodata = 0;
   double nodata = band.GetNoDataValue(&has_nodata);
@@ -85,13 +81,13 @@ Checked<std::vector<float>> read_plane(const Plane& plane, std::size_t first_row
 
   std::vector<double> line(static_cast<std::size_t>(band.GetXSize()));
   std::vector<float> values;
-  values.reserve(plane.x.nodes.size() * rows);
+  values.reserve(order.columns.size() * rows);
   const GdalMessages messages;
-  for (const std::size_t row : std::span{plane.y.source}.subspan(first_row, rows)) {
+  for (const std::size_t row : std::span{order.rows}.subspan(first_row, rows)) {
     if (band.RasterIO(GF_Read, 0, static_cast<int>(row), band.GetXSize(), 1, line.data(), band.GetXSize(), 1,
                       GDT_Float64, 0, 0, nullptr) != CE_None)
       return refuse(messages::ingest_depth_message<"grid-not-read-to-its-end">(messages.first_error()));
-    for (const std::size_t column : plane.x.source) {
+    for (const std::size_t column : order.columns) {
       const double packed = line[column];
       const bool is_missing = !std::isfinite(packed) || (has_nodata != 0 && packed == nodata);
       values.push_back(is_missing ? std::numeric_limits<float>::quiet_NaN()
@@ -101,33 +97,12 @@ Checked<std::vector<float>> read_plane(const Plane& plane, std::size_t first_row
   return values;
 }
 
-std::vector<double> centres(double origin, double step, int count) {
-  std::vector<double> values;
-  values.reserve(count);
-  for (int i = 0; i < count; ++i) values.push_back(origin + step * (i + 0.5));
-  return values;
-}
-
-/// Reads the grid of a band whose reference system the engine can use.
-Checked<Plane> plane_of(GDALDataset& dataset, const geo::GridFrame& frame, int band_number) {
-  RasterTransform t{};
-  if (dataset.GetGeoTransform(t.data()) != CE_None || t[2] != 0.0 || t[4] != 0.0)
-    return refuse(messages::ingest_depth_message<"grid-without-position">());
-  const bool geographic = std::holds_alternative<geo::GeographicFrame>(frame);
-  auto x_values = centres(t[0], t[1], dataset.GetRasterXSize());
-  auto y_values = centres(t[3], t[5], dataset.GetRasterYSize());
-  auto x = geographic ? longitude_nodes("longitude", std::move(x_values))
-                      : monotonic_nodes("x", std::move(x_values));
-  if (!x) return refuse(x.error());
-  auto y = geographic ? latitude_nodes("latitude", std::move(y_values))
-                      : monotonic_nodes("y", std::move(y_values));
-  if (!y) return refuse(y.error());
-
+Checked<Plane> plane_of(GDALDataset& dataset, int band_number) {
   GDALRasterBand* band = dataset.GetRasterBand(band_number);
   const std::string unit = band->GetUnitType();
   const auto factor = unit.empty() ? std::optional{1.0} : length_factor(unit);
   if (!factor) return refuse(messages::ingest_depth_message<"depth-unit-unknown">("the depths have", unit));
-  return Plane{band, std::move(*x), std::move(*y), *factor};
+  return Plane{band, *factor};
 }
 
 /// A raster and, if a cell combines several measurements, rasters of the lowest and the highest of them.
@@ -178,22 +153,6 @@ Checked<Views> open_views(const std::filesystem::path& file, const char* driver)
   return views;
 }
 
-/// Resamples to a grid of the store. A resampled value is a mean, so the extremes of the values behind it are
-/// kept too.
-Checked<Views> resampled(const Views& views, const OGRSpatialReference& crs, const char* target_crs) {
-  const auto from = [](const DatasetPtr& own, const DatasetPtr& otherwise) -> GDALDataset& {
-    return own ? *own : *otherwise;
-  };
-  Views result;
-  auto middle = resampled(*views.middle, crs, target_crs, "bilinear");
-  if (!middle) return refuse(middle.error());
-  auto lowest = resampled(from(views.lowest, views.middle), crs, target_crs, "min");
-  if (!lowest) return refuse(lowest.error());
-  auto highest = resampled(from(views.highest, views.middle), crs, target_crs, "max");
-  if (!highest) return refuse(highest.error());
-  return Views{std::move(*middle), std::move(*lowest), std::move(*highest)};
-}
-
 /// Number of the band with the uncertainty of the depths, which BAG files and their conversions have; 0 if
 /// there is none.
 int uncertainty_band(GDALDataset& dataset) {
@@ -211,33 +170,34 @@ struct Planes {
   std::optional<Plane> uncertainty{};
 };
 
-Checked<RawRows> read_planes(const Planes& planes, std::size_t first_row, std::size_t count) {
+Checked<RawRows> read_planes(const Planes& planes, const Order& order, std::size_t first_row,
+                             std::size_t count) {
   RawRows rows;
-  auto values = read_plane(planes.middle, first_row, count);
+  auto values = read_plane(planes.middle, order, first_row, count);
   if (!values) return refuse(values.error());
   rows.values_m = std::move(*values);
   for (const auto& [plane, extremes] :
        {std::pair{&planes.lowest, &RawRows::lowest_m}, std::pair{&planes.highest, &RawRows::highest_m}}) {
     if (!*plane) continue;
-    values = read_plane(**plane, first_row, count);
+    values = read_plane(**plane, order, first_row, count);
     if (!values) return refuse(values.error());
     rows.*extremes = std::move(*values);
   }
   if (!planes.uncertainty) return rows;
-  values = read_plane(*planes.uncertainty, first_row, count);
+  values = read_plane(*planes.uncertainty, order, first_row, count);
   if (!values) return refuse(values.error());
   widen(rows, *values);
   return rows;
 }
 
-Checked<std::shared_ptr<const Planes>> planes_of(Views views, const geo::GridFrame& frame) {
+Checked<std::shared_ptr<const Planes>> planes_of(Views views) {
   const int band = depth_band(*views.middle);
-  auto middle = plane_of(*views.middle, frame, band);
+  auto middle = plane_of(*views.middle, band);
   if (!middle) return refuse(middle.error());
   Planes planes{.views = std::move(views), .middle = std::move(*middle)};
   const auto add = [&](std::optional<Plane>& plane, GDALDataset* dataset, int number) -> Checked<bool> {
     if (dataset == nullptr) return true;
-    auto found = plane_of(*dataset, frame, number);
+    auto found = plane_of(*dataset, number);
     if (!found) return refuse(found.error());
     plane = std::move(*found);
     return true;
@@ -262,45 +222,111 @@ VerticalDescription description_of(const Plane& plane, std::string_view driver) 
           .positive = positive == nullptr ? "" : positive};
 }
 
+/// Where the values of a raster lie.
+struct PlacedRaster {
+  Order order;
+  ocean::HorizontalGrid grid;                            // of the nodes, or the one on which they are used
+  std::optional<repository::MeshInBlocks> own_places{};  // empty: they are the grid's nodes
+};
+
+std::vector<double> centres(double origin, double step, int count) {
+  std::vector<double> values;
+  values.reserve(count);
+  for (int i = 0; i < count; ++i) values.push_back(origin + step * (i + 0.5));
+  return values;
+}
+
+/// On a grid of the store.
+Checked<PlacedRaster> placed_on_axes(GDALDataset& dataset, const RasterTransform& t,
+                                     const geo::GridFrame& frame) {
+  const bool geographic = std::holds_alternative<geo::GeographicFrame>(frame);
+  auto x_values = centres(t[0], t[1], dataset.GetRasterXSize());
+  auto y_values = centres(t[3], t[5], dataset.GetRasterYSize());
+  auto x = geographic ? longitude_nodes("longitude", std::move(x_values))
+                      : monotonic_nodes("x", std::move(x_values));
+  if (!x) return refuse(x.error());
+  auto y = geographic ? latitude_nodes("latitude", std::move(y_values))
+                      : monotonic_nodes("y", std::move(y_values));
+  if (!y) return refuse(y.error());
+  return PlacedRaster{{std::move(y->source), std::move(x->source)},
+                      {frame, ocean::Axis{std::move(x->nodes)}, ocean::Axis{std::move(y->nodes)}}};
+}
+
+/// In a projection that the store has no grid for, or rotated: every pixel is kept at the place of its centre, and plans
+/// interpolate between these places. A model on a bent grid is stored in the same way, so nothing has to know the projection
+/// once the file is read.
+Checked<PlacedRaster> placed_by_themselves(GDALDataset& dataset, const RasterTransform& t,
+                                           const OGRSpatialReference& crs) {
+  if (is_larger_than(dataset, max_own_places))
+    return refuse(messages::ingest_depth_message<"depth-grid-too-large-to-convert">(
+        dataset.GetRasterXSize(), dataset.GetRasterYSize(), std::string{crs.GetName()}, max_own_places));
+  const auto rows = static_cast<std::size_t>(dataset.GetRasterYSize());
+  const auto columns = static_cast<std::size_t>(dataset.GetRasterXSize());
+  auto places = places_by_crs(crs, rows, columns, [&](std::size_t row, std::size_t column) {
+    const double across = static_cast<double>(column) + 0.5;
+    const double down = static_cast<double>(row) + 0.5;
+    return geo::GridPoint{t[0] + t[1] * across + t[2] * down, t[3] + t[4] * across + t[5] * down};
+  });
+  if (!places) return refuse(messages::ingest_depth_message<"grid-not-convertible">(places.error()));
+  auto own = own_points_of(std::move(*places), columns);
+  if (!own) return refuse(own.error());
+  Order order{std::vector<std::size_t>(rows), std::vector<std::size_t>(columns)};
+  std::iota(order.rows.begin(), order.rows.end(), std::size_t{0});
+  std::iota(order.columns.begin(), order.columns.end(), std::size_t{0});
+  return PlacedRaster{std::move(order), std::move(own->grid), std::move(own->kept)};
+}
+
+Checked<PlacedRaster> placed_raster(GDALDataset& dataset, const OGRSpatialReference& crs) {
+  RasterTransform t{};
+  if (dataset.GetGeoTransform(t.data()) != CE_None)
+    return refuse(messages::ingest_depth_message<"grid-without-position">());
+  const auto frame = grid_frame_of(crs);
+  const bool is_rotated = t[2] != 0.0 || t[4] != 0.0;
+  return frame && !is_rotated ? placed_on_axes(dataset, t, *frame) : placed_by_themselves(dataset, t, crs);
+}
+
+/// All values, in the order in which they are kept.
+Checked<RawRows> read_own(const Planes& planes, const PlacedRaster& raster) {
+  auto all = read_planes(planes, raster.order, 0, raster.order.rows.size());
+  if (!all) return all;
+  for (std::vector<float>* values : {&all->values_m, &all->lowest_m, &all->highest_m})
+    if (!values->empty()) *values = raster.own_places->in_order(*values);
+  return all;
+}
+
 Checked<PreparedDataset> prepared_raster(Views views, std::string_view driver, const IngestOptions& options) {
-  GDALDataset& dataset = *views.middle;
-  if (is_picture(dataset)) return refuse(messages::ingest_depth_message<"grid-is-a-picture">());
+  if (is_picture(*views.middle)) return refuse(messages::ingest_depth_message<"grid-is-a-picture">());
 
   Messages warnings;
-  const auto crs = crs_of_raster(dataset, driver, options, warnings);
+  const auto crs = crs_of_raster(*views.middle, driver, options, warnings);
   if (!crs) return refuse(crs.error());
-  auto frame = grid_frame_of(*crs);
-  if (!frame) {
-    if (is_larger_than(*views.middle, max_resampled))
-      return refuse(messages::ingest_depth_message<"depth-grid-too-large-to-convert">(
-          views.middle->GetRasterXSize(), views.middle->GetRasterYSize(), max_resampled));
-    const std::string target_name = target_crs_for(*views.middle, *crs);
-    OGRSpatialReference target;
-    target.SetFromUserInput(target_name.c_str());
-    auto converted = resampled(views, *crs, target_name.c_str());
-    if (!converted) return refuse(converted.error());
-    frame = grid_frame_of(target).value();
-    const bool geographic = std::holds_alternative<geo::GeographicFrame>(*frame);
-    warnings.push_back(messages::ingest_depth_message<"grid-resampled">(
-        std::string{crs->GetName()},
-        geographic ? "longitude and latitude" : "a polar stereographic projection"));
-    views = std::move(*converted);
-  }
-
-  const auto planes = planes_of(std::move(views), *frame);
+  auto raster = placed_raster(*views.middle, *crs);
+  if (!raster) return refuse(raster.error());
+  const auto planes = planes_of(std::move(views));
   if (!planes) return refuse(planes.error());
   const Plane& middle = (*planes)->middle;
   const Statistic statistic = statistic_in_words(middle.band->GetDescription());
   if (statistic != Statistic::none && statistic != Statistic::minimum && statistic != Statistic::maximum)
     return refuse(messages::ingest_depth_message<"raster-of-other-values">(
         in_words(statistic), std::string{middle.band->GetDescription()}));
-  return prepare_bathymetry(
-      {.grid = {*frame, ocean::Axis{middle.x.nodes}, ocean::Axis{middle.y.nodes}},
-       .description = description_of(middle, driver),
-       .warnings = std::move(warnings),
-       .read = [planes = *planes](std::size_t first_row,
-                                  std::size_t rows) { return read_planes(*planes, first_row, rows); }},
-      options.positive);
+
+  RawBathymetry raw{.grid = raster->grid,
+                    .description = description_of(middle, driver),
+                    .warnings = std::move(warnings),
+                    .read = {}};
+  if (raster->own_places) {
+    auto rows = read_own(**planes, *raster);
+    if (!rows) return refuse(rows.error());
+    raw.warnings.push_back(messages::ingest_depth_message<"depths-kept-at-own-points">(
+        raster->own_places->mesh.points.size(), "a grid in \"" + std::string{crs->GetName()} + "\""));
+    raw.read = rows_in_memory(std::move(*rows), 1);
+    raw.own_points = std::move(raster->own_places);
+  } else {
+    raw.read = [planes = *planes, order = std::move(raster->order)](std::size_t first_row, std::size_t rows) {
+      return read_planes(*planes, order, first_row, rows);
+    };
+  }
+  return prepare_bathymetry(std::move(raw), options.positive);
 }
 
 }  // namespace

@@ -12,10 +12,10 @@
 namespace floeplan::ingest {
 
 /// Bathymetry from a raster file: GeoTIFF, ESRI ASCII grid, XYZ or BAG (its elevation layer). Geographic,
-/// polar stereographic and transverse Mercator grids keep their nodes; others are resampled to longitude and
-/// latitude.
+/// polar stereographic and transverse Mercator grids keep their nodes; the pixels of all others, and of rotated grids, are kept
+/// at places of their own, at most two million of them.
 /// Edges    values belong to pixel centres; easting or longitude always comes first
-/// Errors   pictures; no CRS (a plain text grid may be recognised as degrees, with a warning); rotated grids
+/// Errors   pictures; no CRS (a plain text grid may be recognised as degrees, with a warning); too many pixels
 [[nodiscard]] Checked<PreparedDataset> read_raster_bathymetry(const std::filesystem::path& file,
                                                               const char* driver,
                                                               const IngestOptions& options);

@@ -5,12 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <optional>
-#include <span>
-#include <utility>
 
-#include "engine/geo/bounding_box.hpp"
 #include "engine/messages/ingest_depth_messages.hpp"
 #include "storage/ingest/common/gdal_guard.hpp"
 #include "storage/ingest/notation/crs_text.hpp"
@@ -54,8 +50,6 @@ std::optional<OGRSpatialReference> crs_named_in_bag(GDALDataset& dataset) {
   return crs;
 }
 
-}  // namespace
-
 std::string wkt_of(const OGRSpatialReference& crs) {
   char* wkt = nullptr;
   const char* const format[] = {"FORMAT=WKT2_2018", nullptr};
@@ -64,6 +58,8 @@ std::string wkt_of(const OGRSpatialReference& crs) {
   CPLFree(wkt);
   return text;
 }
+
+}  // namespace
 
 Checked<OGRSpatialReference> crs_of_raster(GDALDataset& dataset, std::string_view driver,
                                            const IngestOptions& options, Messages& warnings) {
@@ -99,33 +95,6 @@ Checked<OGRSpatialReference> crs_of_raster(GDALDataset& dataset, std::string_vie
     return crs;
   }
   return refuse(messages::ingest_depth_message<"crs-missing">());
-}
-
-const char* target_crs_for(GDALDataset& dataset, const OGRSpatialReference& crs) {
-  constexpr double least_lat_deg = 45.0;
-  constexpr int parts = 32;  // points checked along each side
-  RasterTransform t{};
-  dataset.GetGeoTransform(t.data());
-  OGRSpatialReference wgs84;
-  wgs84.SetWellKnownGeogCS("WGS84");
-  wgs84.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-  const GdalMessages messages;
-  const std::unique_ptr<OGRCoordinateTransformation> way{OGRCreateCoordinateTransformation(&crs, &wgs84)};
-  std::vector<geo::LonLat> border;
-  for (int i = 0; way && i <= parts; ++i) {
-    const double share = static_cast<double>(i) / parts;
-    for (const auto& [across, down] :
-         {std::pair{share, 0.0}, std::pair{share, 1.0}, std::pair{0.0, share}, std::pair{1.0, share}}) {
-      double x = t[0] + t[1] * across * dataset.GetRasterXSize();
-      double y = t[3] + t[5] * down * dataset.GetRasterYSize();
-      if (way->Transform(1, &x, &y) != 0 && std::abs(y) <= 90.0) border.push_back({x, y});
-    }
-  }
-  if (border.empty()) return "EPSG:4326";
-  const geo::BoundingBox box = geo::bounding_box(std::span<const geo::LonLat>{border});
-  const bool plain = box.west_deg <= box.east_deg && geo::width_deg(box) < 180.0;
-  if (plain || (box.south_deg < least_lat_deg && box.north_deg > -least_lat_deg)) return "EPSG:4326";
-  return box.south_deg > 0.0 ? "EPSG:3413" : "EPSG:3031";
 }
 
 }  // namespace floeplan::ingest

@@ -19,18 +19,11 @@ inline constexpr std::string_view depth_table = "depth table";
 
 using RasterTransform = std::array<double, 6>;  // GDAL's affine geotransform
 
-[[nodiscard]] std::string wkt_of(const OGRSpatialReference& crs);
-
 /// The horizontal reference system of a raster: the file's, or else the user's. For a plain text whose
 /// numbers look like degrees it is longitude and latitude, with a warning. Easting or longitude is the first
 /// axis.
 /// Errors   none of these is known; a BAG with positive down, unless the user states the direction
 [[nodiscard]] Checked<OGRSpatialReference> crs_of_raster(GDALDataset& dataset, std::string_view driver,
                                                          const IngestOptions& options, Messages& warnings);
-
-/// The reference system to resample a raster to: longitude and latitude; or a polar stereographic plane for
-/// an area around a pole or across the antimeridian, where degrees have a seam or become very narrow. The
-/// plane is used only in high latitudes, where its distortion is small.
-[[nodiscard]] const char* target_crs_for(GDALDataset& dataset, const OGRSpatialReference& crs);
 
 }  // namespace floeplan::ingest

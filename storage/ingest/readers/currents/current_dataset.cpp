@@ -74,11 +74,7 @@ struct StoredCurrents {
 
   /// The values in the order in which they are stored.
   [[nodiscard]] std::vector<float> as_kept(std::vector<float> values) const {
-    if (!own_points) return values;
-    std::vector<float> kept;
-    kept.reserve(own_points->sources.size());
-    for (const std::uint32_t point : own_points->sources) kept.push_back(values[point]);
-    return kept;
+    return own_points ? own_points->in_order(values) : values;
   }
 };
 

@@ -126,12 +126,12 @@ Checked<void> write(const IceSource& source, const core::ProgressCallback& progr
   repository::FieldRepository fields{db};
   const repository::FieldShape shape{source.grid, std::nullopt, ocean::Axis{source.layout.times_s->nodes}};
   if (source.bent)
-    fields.create(id, shape, {source.bent->own.mesh});
+    fields.create(id, shape, {source.bent->own.kept.mesh});
   else
     fields.create(id, shape);
   for (std::size_t time = 0; time < source.times(); ++time) {
     const auto stored = [&](const std::vector<float>& values) {
-      return source.bent ? source.bent->as_kept(values) : values;
+      return source.bent ? source.bent->own.kept.in_order(values) : values;
     };
     const auto concentration = read_greatest(source.concentrations, source.layout, time, 1.0);
     if (!concentration) return refuse(concentration.error());
@@ -178,7 +178,7 @@ Checked<IceSource> open_source(const std::shared_ptr<const NetcdfFile>& file, co
   if (!place) return refuse(place.error());
   if (place->bent)
     warnings.push_back(messages::ingest_grid_message<"kept-at-own-points">(
-        place->bent->own.mesh.points.size(), std::string{"a bent grid"}));
+        place->bent->own.kept.mesh.points.size(), std::string{"a bent grid"}));
   auto layout = layout_of_ice(std::move(place->layout), first, options.time);
   if (!layout) return refuse(layout.error());
 
@@ -210,8 +210,8 @@ Checked<PreparedDataset> read_ice(const std::shared_ptr<const NetcdfFile>& file,
   for (const Quantity& quantity : source->concentrations) data.variables.push_back(quantity.variable->name());
   for (const Quantity& quantity : source->thickness) data.variables.push_back(quantity.variable->name());
   data.bounds = source->grid.bounds();
-  data.rows_accepted =
-      static_cast<std::int64_t>(source->bent ? source->bent->own.mesh.points.size() : source->grid.size());
+  data.rows_accepted = static_cast<std::int64_t>(source->bent ? source->bent->own.kept.mesh.points.size()
+                                                              : source->grid.size());
   if (source->bent) data.keeping = Keeping::at_own_points;
   data.time_start = core::from_unix_seconds(source->layout.times_s->nodes.front());
   data.time_end = core::from_unix_seconds(source->layout.times_s->nodes.back());

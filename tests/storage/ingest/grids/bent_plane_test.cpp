@@ -78,7 +78,7 @@ TEST_F(BentPlanes, OfDepthsAreKeptAtTheModelsOwnPoints) {
   const auto report = ingest(path("bent.nc"));
 
   ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
-  EXPECT_THAT(words(report), HasSubstr("the model's own 1200 points (a bent grid)"));
+  EXPECT_THAT(words(report), HasSubstr("kept at its own place (1200 points, a bent grid)"));
   for (std::size_t j = 0; j < grid_.rows; ++j)
     for (std::size_t i = 0; i < grid_.columns; ++i) {
       const geo::LonLat place = grid_.place(static_cast<double>(i), static_cast<double>(j));

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "storage/repository/datasets/resampled.hpp"
 #include "storage/repository/features/coastline_repository.hpp"
 #include "storage/repository/features/iceberg_repository.hpp"
 #include "storage/repository/fields/field_repository.hpp"
@@ -117,6 +118,18 @@ TEST(DatasetKind, HasANameThatLeadsBackToIt) {
     EXPECT_EQ(parse_kind(kind_name(kind)), kind);
   }
   EXPECT_EQ(parse_kind("weather"), std::nullopt);
+}
+
+/// The sentences of earlier versions; a store keeps them as they were.
+TEST(Resampled, IsKnownByTheWordsOfEarlierVersions) {
+  const auto says = [](std::string warning) {
+    return was_resampled(std::vector<std::string>{"another warning", std::move(warning)});
+  };
+  EXPECT_TRUE(says("resampled from a bent grid to a regular grid of 0.05 x 0.05 degrees"));
+  EXPECT_TRUE(says("\"h\" was resampled from a bent grid of 30 x 40 points to a regular grid of 0.09 x 0.2"));
+  EXPECT_TRUE(
+      says("the grid was resampled from \"NAD83 / Alaska Albers\" to longitude and latitude. Beside"));
+  EXPECT_FALSE(says("every depth is kept at its own place (1200 points, a bent grid)"));
 }
 
 TEST(NewestRunFirst, TakesOfOneRunTheDataThatNoOlderVersionResampled) {

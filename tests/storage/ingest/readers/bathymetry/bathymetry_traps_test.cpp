@@ -9,6 +9,8 @@
 #include <limits>
 #include <memory>
 
+#include "engine/geo/geodesic.hpp"
+#include "engine/geo/grid_frame.hpp"
 #include "storage/ingest/common/gdal_guard.hpp"
 #include "storage/ingest/readers/bathymetry/vertical_sense.hpp"
 #include "storage/repository/fields/field_repository.hpp"
@@ -33,26 +35,67 @@ float least_of(const std::vector<float>& depths_m) {
 
 class BathymetryTraps : public StoreFixture {
  protected:
-  /// A GeoTIFF of 4 x 3 pixels: elevations -10, -20, ... by rows from the north.
-  std::filesystem::path write_tiff(const std::string& crs, std::array<double, 6> transform,
-                                   double factor = -10.0,
-                                   const std::string& description = "elevation") const {
+  std::unique_ptr<GDALDataset> made_tiff(const std::string& crs, std::array<double, 6> transform,
+                                         int bands) const {
     register_drivers();
     GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
-    const std::unique_ptr<GDALDataset> dataset{
-        driver->Create(path("sea.tif").c_str(), 4, 3, 1, GDT_Float32, nullptr)};
+    std::unique_ptr<GDALDataset> dataset{
+        driver->Create(path("sea.tif").c_str(), 4, 3, bands, GDT_Float32, nullptr)};
     if (!crs.empty()) {
       OGRSpatialReference reference;
       reference.SetFromUserInput(crs.c_str());
       dataset->SetSpatialRef(&reference);
     }
     dataset->SetGeoTransform(transform.data());
+    return dataset;
+  }
+
+  static void fill(GDALRasterBand& band, std::vector<double> values, const std::string& description) {
+    band.SetDescription(description.c_str());
+    EXPECT_EQ(band.RasterIO(GF_Write, 0, 0, 4, 3, values.data(), 4, 3, GDT_Float64, 0, 0, nullptr), CE_None);
+  }
+
+  /// A GeoTIFF of 4 x 3 pixels: elevations -10, -20, ... by rows from the north.
+  std::filesystem::path write_tiff(const std::string& crs, std::array<double, 6> transform,
+                                   double factor = -10.0,
+                                   const std::string& description = "elevation") const {
+    const std::unique_ptr<GDALDataset> dataset = made_tiff(crs, transform, 1);
     std::vector<double> values;
     for (int i = 1; i <= 12; ++i) values.push_back(factor * i);
-    GDALRasterBand* band = dataset->GetRasterBand(1);
-    band->SetDescription(description.c_str());
-    EXPECT_EQ(band->RasterIO(GF_Write, 0, 0, 4, 3, values.data(), 4, 3, GDT_Float64, 0, 0, nullptr), CE_None);
+    fill(*dataset->GetRasterBand(1), std::move(values), description);
     return path("sea.tif");
+  }
+
+  /// Where PROJ puts a point of a plane on WGS84.
+  static geo::LonLat place_in(const std::string& crs, geo::GridPoint point) {
+    OGRSpatialReference from;
+    from.SetFromUserInput(crs.c_str());
+    from.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    OGRSpatialReference to;
+    to.SetWellKnownGeogCS("WGS84");
+    to.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    const std::unique_ptr<OGRCoordinateTransformation> way{OGRCreateCoordinateTransformation(&from, &to)};
+    EXPECT_NE(way->Transform(1, &point.x, &point.y), 0);
+    return {point.x, point.y};
+  }
+
+  ocean::Bathymetry depths_at(geo::LonLat place) {
+    return repository::FieldRepository{db_}
+        .load_bathymetry(report_.dataset->id, {place.lon_deg, place.lat_deg, place.lon_deg, place.lat_deg})
+        .value();
+  }
+
+  /// That the file of `write_tiff` has its own depths at the centres of its pixels.
+  void expect_own_depths(const std::string& crs, const std::array<double, 6>& t) {
+    for (int row = 0; row < 3; ++row)
+      for (int column = 0; column < 4; ++column) {
+        const double across = column + 0.5;
+        const double down = row + 0.5;
+        const auto here = depths_at(
+            place_in(crs, {t[0] + t[1] * across + t[2] * down, t[3] + t[4] * across + t[5] * down}));
+        EXPECT_FLOAT_EQ(here.depth_m().front(), 10.0F * static_cast<float>(row * 4 + column + 1));
+        EXPECT_FLOAT_EQ(here.shoalest_m().front(), here.depth_m().front());
+      }
   }
 
   ocean::Bathymetry stored(const std::filesystem::path& file, const IngestOptions& options = {}) {
@@ -99,31 +142,94 @@ TEST_F(BathymetryTraps, AUtmGridKeepsItsNodes) {
   EXPECT_DOUBLE_EQ(sea.depth(sea.grid().place(0, 0))->value, 90.0);
 }
 
-TEST_F(BathymetryTraps, AnotherProjectionIsResampledWithAWarning) {
-  const auto sea = stored(write_tiff("EPSG:3035", {4321000.0, 10000.0, 0.0, 3230000.0, 0.0, -10000.0}));
+/// At the centre of every pixel its own depth, wherever the projection puts it.
+TEST_F(BathymetryTraps, PixelsOfAnotherProjectionAreKeptAtTheirOwnPlaces) {
+  const std::array<double, 6> transform{4321000.0, 10000.0, 0.0, 3230000.0, 0.0, -10000.0};
+  stored(write_tiff("EPSG:3035", transform));
 
-  EXPECT_TRUE(std::holds_alternative<geo::GeographicFrame>(sea.grid().frame()));
-  EXPECT_THAT(words(report_), HasSubstr("resampled"));
-  EXPECT_TRUE(sea.depth({10.2, 52.05}).has_value());
+  EXPECT_THAT(words(report_), HasSubstr("kept at its own place (12 points, a grid in \"ETRS89"));
+  expect_own_depths("EPSG:3035", transform);
 }
 
-/// Alaska's Albers plane: the middle of this grid is 180 E, 54 N, by gdaltransform. In degrees the grid would have a
-/// seam, and the raster of a turn round the Earth would take the place of its nodes.
-TEST_F(BathymetryTraps, AGridAcrossTheAntimeridianIsResampledOnAPolarPlane) {
-  const auto sea = stored(write_tiff("EPSG:3338", {-1704000.0, 20000.0, 0.0, 803000.0, 0.0, -20000.0}));
+TEST_F(BathymetryTraps, PixelsOfARotatedGridAreKeptAtTheirOwnPlaces) {
+  const std::array<double, 6> transform{500000.0, 900.0, 300.0, 7600000.0, 300.0, -900.0};
+  stored(write_tiff("EPSG:32621", transform));
 
-  EXPECT_TRUE(std::holds_alternative<geo::PolarStereographicFrame>(sea.grid().frame()));
+  expect_own_depths("EPSG:32621", transform);
+}
+
+/// The datum of North America of 1927 lies about 80 m beside WGS84 here; PROJ knows how far.
+TEST_F(BathymetryTraps, AGridOnAnOldDatumIsMovedToWgs84) {
+  const std::array<double, 6> transform{-70.0, 0.01, 0.0, 44.0, 0.0, -0.01};
+  stored(write_tiff("EPSG:4267", transform));
+
+  expect_own_depths("EPSG:4267", transform);
+  const geo::LonLat moved = place_in("EPSG:4267", {-69.995, 43.995});
+  EXPECT_GT(geo::geodesic_between(moved, {-69.995, 43.995}).length.value, 20.0);
+}
+
+/// Alaska's Albers plane: the middle of this grid is 180 E, 54 N, by gdaltransform.
+TEST_F(BathymetryTraps, AGridAcrossTheAntimeridianIsNotTakenRoundTheEarth) {
+  const std::array<double, 6> transform{-1704000.0, 20000.0, 0.0, 803000.0, 0.0, -20000.0};
+  const auto sea = stored(write_tiff("EPSG:3338", transform));
+
   EXPECT_LT(geo::width_deg(sea.grid().bounds()), 5.0);
   EXPECT_TRUE(sea.depth({179.9, 54.0}).has_value());
   EXPECT_TRUE(sea.depth({-179.9, 54.0}).has_value());
+  expect_own_depths("EPSG:3338", transform);
 }
 
-TEST_F(BathymetryTraps, ResamplingKeepsTheLeastDepthOfEachCell) {
+/// The pole is one corner of this plane of the Arctic.
+TEST_F(BathymetryTraps, AGridAtThePoleIsReadUpToIt) {
+  const std::array<double, 6> transform{-20000.0, 10000.0, 0.0, 20000.0, 0.0, -10000.0};
+  const auto sea = stored(write_tiff("EPSG:3571", transform));
+
+  EXPECT_TRUE(sea.depth({77.0, 89.999}).has_value());
+  expect_own_depths("EPSG:3571", transform);
+}
+
+TEST_F(BathymetryTraps, BetweenPixelsOfAnotherProjectionTheShoalestCounts) {
   const auto sea = stored(write_tiff("EPSG:3035", {4321000.0, 10000.0, 0.0, 3230000.0, 0.0, -10000.0}));
 
-  EXPECT_EQ(least_of(sea.shoalest_m()), 10.0F) << "the rock of the first pixel";
+  const geo::LonLat beside_the_rock = place_in("EPSG:3035", {4334000.0, 3217000.0});
+  EXPECT_LE(sea.shoalest(beside_the_rock).value().value, 10.0) << "the rock of the first pixel";
   for (std::size_t i = 0; i < sea.depth_m().size(); ++i)
     EXPECT_TRUE(std::isnan(sea.depth_m()[i]) || sea.shoalest_m()[i] <= sea.depth_m()[i]);
+}
+
+TEST_F(BathymetryTraps, TheUncertaintyOfADepthIsKeptAtItsOwnPlace) {
+  const std::array<double, 6> transform{4321000.0, 10000.0, 0.0, 3230000.0, 0.0, -10000.0};
+  {
+    const std::unique_ptr<GDALDataset> dataset = made_tiff("EPSG:3035", transform, 2);
+    std::vector<double> values;
+    for (int i = 1; i <= 12; ++i) values.push_back(-10.0 * i);
+    fill(*dataset->GetRasterBand(1), values, "elevation");
+    fill(*dataset->GetRasterBand(2), std::vector<double>(12, 1.5), "uncertainty");
+  }
+  stored(path("sea.tif"));
+
+  const auto last = depths_at(place_in("EPSG:3035", {4356000.0, 3205000.0}));
+  EXPECT_FLOAT_EQ(last.depth_m().front(), 120.0F);
+  EXPECT_FLOAT_EQ(last.shoalest_m().front(), 118.5F);
+}
+
+/// A mesh of more points does not fit into the memory of the reading process.
+TEST_F(BathymetryTraps, ALargerGridOfAnotherProjectionIsRefusedWithTheWayOut) {
+  register_drivers();
+  GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
+  const char* const options[] = {"SPARSE_OK=TRUE", nullptr};
+  {
+    const std::unique_ptr<GDALDataset> dataset{
+        driver->Create(path("sea.tif").c_str(), 2000, 1001, 1, GDT_Float32, const_cast<char**>(options))};
+    OGRSpatialReference reference;
+    reference.SetFromUserInput("EPSG:3035");
+    dataset->SetSpatialRef(&reference);
+    std::array<double, 6> transform{4321000.0, 100.0, 0.0, 3230000.0, 0.0, -100.0};
+    dataset->SetGeoTransform(transform.data());
+  }
+
+  expect_refused(path("sea.tif"), "Cut out your area first, for example with gdal_translate -projwin",
+                 positive_up);
 }
 
 /// Band values at pixel (22, 107), counted from the north-west, as gdallocationinfo prints them.
