@@ -1,7 +1,10 @@
+#include <algorithm>
 #include <iomanip>
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "api/codec/documents/dataset_document.hpp"
 #include "api/codec/inputs/retention_inputs.hpp"
@@ -10,6 +13,7 @@
 #include "server/cli/program/flag_values.hpp"
 #include "storage/json/json.hpp"
 #include "storage/repository/datasets/dataset_repository.hpp"
+#include "storage/repository/datasets/resampled.hpp"
 #include "storage/repository/datasets/retention.hpp"
 
 namespace floeplan::cli {
@@ -25,6 +29,19 @@ struct DatasetsFlags {
   std::string kind{"all"};
   bool dry_run{false};
 };
+
+/// What a new ingest of a dataset's file gives, or gave, if an earlier version misread or resampled the file; else "".
+std::string mark_of(const repository::Dataset& dataset, const std::vector<repository::Dataset>& all) {
+  if (dataset.outdated) return "outdated: " + dataset.warnings.back();
+  if (!repository::was_resampled(dataset.warnings)) return "";
+  const auto better = std::ranges::find_if(all, [&](const repository::Dataset& other) {
+    return other.kind == dataset.kind && other.provenance.sha256 == dataset.provenance.sha256 &&
+           !repository::was_resampled(other.warnings);
+  });
+  return "resampled by an earlier version: " +
+         (better == all.end() ? "ingest the file again for the values at its own points"
+                              : better->id.value + " has the values at the file's own points");
+}
 
 int list_datasets(const DatasetsFlags& flags, const Program& program) {
   auto db = open_existing_store(program);
@@ -44,7 +61,7 @@ int list_datasets(const DatasetsFlags& flags, const Program& program) {
     if (dataset.time_start) std::cout << "  " << core::iso8601(*dataset.time_start);
     if (dataset.time_end) std::cout << " to " << core::iso8601(*dataset.time_end);
     std::cout << "  " << dataset.name << '\n';
-    if (dataset.outdated) std::cout << "  outdated: " << dataset.warnings.back() << '\n';
+    if (const std::string mark = mark_of(dataset, datasets); !mark.empty()) std::cout << "  " << mark << '\n';
   }
   if (datasets.empty()) std::cout << "The store is empty: floeplan ingest FILE... reads data into it.\n";
   return done;

@@ -6,6 +6,8 @@
 #include <sstream>
 #include <thread>
 
+#include "storage/repository/datasets/dataset_repository.hpp"
+#include "storage/repository/store/migrations.hpp"
 #include "tests/server/cli/program.hpp"
 #include "tests/server/cli/served_program.hpp"
 #include "tests/support/places.hpp"
@@ -41,7 +43,8 @@ class Upgrade : public testing::Test {
   [[nodiscard]] std::string documents() const {
     const std::string out = (program_.folder() / "documents").string();
     EXPECT_EQ(
-        python("import sqlite3, sys; db = sqlite3.connect('file:' + sys.argv[1] + '?mode=ro', uri=True); open(sys.argv[2], 'w').write(repr("
+        python("import sqlite3, sys; db = sqlite3.connect('file:' + sys.argv[1] + '?mode=ro', uri=True); "
+               "open(sys.argv[2], 'w').write(repr("
                "db.execute('SELECT id, request_json, document_json FROM plan WHERE row <= 3 ORDER BY id')"
                ".fetchall() + db.execute('SELECT id, plan_id, request_json, document_json FROM simulation')"
                ".fetchall()))",
@@ -96,6 +99,31 @@ TEST_F(Upgrade, KnowsItsTokensAndRunsTheJobThatWasAccepted) {
   }
 
   EXPECT_EQ(accepted.at("status"), "successful") << accepted;
+}
+
+/// Earlier versions said so among the dataset's warnings, and nowhere else.
+TEST_F(Upgrade, MarksWhatAnEarlierVersionResampled) {
+  repository::Dataset resampled{.id = {"bathymetry-0badcafe"}, .kind = repository::DatasetKind::bathymetry};
+  resampled.provenance.sha256 = "0badcafe";
+  resampled.warnings = {"the grid was resampled from \"NAD83 / Alaska Albers\" to longitude and latitude"};
+  const auto insert = [&](const repository::Dataset& dataset) {
+    sql::Connection store = repository::open_store(program_.store());
+    repository::DatasetRepository{store}.insert(dataset);
+  };
+
+  insert(resampled);
+  EXPECT_THAT(
+      program_.run({"datasets"}).out,
+      HasSubstr("resampled by an earlier version: ingest the file again for the values at its own points"));
+
+  repository::Dataset native = resampled;
+  native.id = {"bathymetry-0badcaff"};
+  native.warnings = {};
+  insert(native);
+  EXPECT_THAT(
+      program_.run({"datasets"}).out,
+      HasSubstr(
+          "resampled by an earlier version: bathymetry-0badcaff has the values at the file's own points"));
 }
 
 }  // namespace
