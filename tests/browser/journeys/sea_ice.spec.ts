@@ -104,3 +104,28 @@ test('a plan below ice says where it may not surface, and its messages lead to t
   await expect(below).toContainText('upper turn, leg');
   await request.delete(`/collections/plans/items/${plan}`);
 });
+
+test('a file that the server refuses is not saved; the export says why', async ({ page, request }) => {
+  const plan_id = await planBelowIce(request, 'No Seaglider');
+  await open(page);
+  await page.getByRole('button', { name: /^Plans/ }).click();
+  await page.locator('.plan-choose', { hasText: 'No Seaglider' }).click();
+  await page.getByRole('button', { name: 'Export mission' }).click();
+  const dialog = page.getByRole('dialog');
+  const confirm = dialog.getByLabel('I have read this; export all the same');
+  await expect(confirm.or(dialog.locator('pre').first())).toBeVisible();
+  if (await confirm.isVisible()) await confirm.check();
+  let saved = 0;
+  page.on('download', () => (saved += 1));
+  await dialog.getByRole('link', { name: 'Seaglider targets' }).click();
+  const refusal = dialog.getByRole('alert').filter({ hasText: 'Seaglider targets: no file is written' });
+  await expect(refusal).toContainText('passes below ice');
+  await expectAccessible(page);
+  const waiting = page.waitForEvent('download');
+  await dialog.getByRole('link', { name: 'GPX' }).click();
+  expect((await waiting).suggestedFilename()).toMatch(/\.gpx$/);
+  await expect(refusal).toBeHidden();
+  expect(saved).toBe(1);
+  await page.keyboard.press('Escape');
+  await request.delete(`/collections/plans/items/${plan_id}`);
+});

@@ -68,6 +68,59 @@ test('a waypoint has one name on the map, in the table, GPX, KML, both briefs an
   await request.delete(`/collections/plans/items/${plan.plan_id}`);
 });
 
+test('files for vehicles and tables hold the same waypoints in the same order, and the export shows each name with its index and row', async ({ page, request }) => {
+  const { start, goal } = await findPlaces(request);
+  const inputs = { from: start, to: goal, depart, spacing_m: 2500, max_leg_m: 4000, refine: false, icebergs: 'none', name: 'In files' };
+  const answer = await request.post('/processes/plan-route/execution', { data: { inputs }, headers: { Prefer: 'respond-sync' } });
+  const { plan } = (await answer.json()) as { plan: Plan };
+  const { waypoints } = plan;
+  expect(waypoints.map(({ index }) => index)).toEqual(waypoints.map((_, i) => i));
+  const flown = waypoints.slice(1);
+  const mission = `/collections/plans/items/${plan.plan_id}/mission`;
+  const file = async (name: string): Promise<string> => {
+    const got = await request.get(`${mission}${name}?accept_dangers=true`);
+    expect(got.status(), `${name} ${await got.text()}`).toBe(200);
+    return got.text();
+  };
+
+  const table = found(await file('.csv'), /^(\d+),([^,]+),([^,]+),([^,]+),/gm);
+  expect(table.map(([index, , , eta]) => [index, eta])).toEqual(waypoints.map(({ index, eta }) => [String(index), eta]));
+  table.forEach(([, lon, lat], i) => expectNear([Number(lon), Number(lat)], waypoints[i]));
+
+  const sentences = await file('.nmea');
+  const marks = found(sentences, /^\$GPWPL,(\d+\.\d+),N,(\d+\.\d+),W,(\w+)\*/gm);
+  expect(marks.map(([, , name]) => name)).toEqual(waypoints.map(nameOf));
+  marks.forEach(([lat, lon], i) => expectNear([-degreesOf(lon), degreesOf(lat)], waypoints[i]));
+  expect(/^\$GPRTE,1,1,c,[^,]+,([^*]+)\*/m.exec(sentences)?.[1]).toBe(waypoints.map(nameOf).join());
+
+  const { maneuvers } = JSON.parse(await file('.imc')) as { maneuvers: { maneuver_id: string; data: { lat: number; lon: number } }[] };
+  expect(maneuvers.map(({ maneuver_id }) => maneuver_id)).toEqual(flown.map((waypoint) => `Goto${nameOf(waypoint)}`));
+  const degrees = (radians: number): number => (radians * 180) / Math.PI;
+  maneuvers.forEach(({ data }, i) => expectNear([degrees(data.lon), degrees(data.lat)], flown[i]));
+
+  const { files } = JSON.parse(await file('')) as { files: { name: string; text: string }[] };
+  const lists = files.flatMap(({ name, text }) => {
+    const [, first = '', last = ''] = /^# .*: waypoints (\d+) to (\d+) of \d+$/m.exec(text) ?? [];
+    const places = found(text, /^(-?\d+\.\d{4})\s+(-?\d+\.\d{4})$/gm);
+    expect(places.length, text).toBe(Number(last) - Number(first) + 1);
+    return places.map(([lon, lat], row) => ({ name, row, waypoint: Number(first) + row, place: [degreesOf(lon), degreesOf(lat)] as LonLat }));
+  });
+  expect(lists.map(({ waypoint }) => waypoint)).toEqual(flown.map(({ index }) => index));
+  for (const { waypoint, place } of lists) expectNear(place, waypoints[waypoint]);
+
+  await open(page);
+  await page.getByRole('button', { name: /^Plans/ }).click();
+  await page.locator('.plan-choose', { hasText: 'In files' }).click();
+  await page.getByRole('button', { name: 'Export mission' }).click();
+  const dialog = page.getByRole('dialog');
+  await expect(dialog.locator('pre').first()).toContainText('<start:waypoints>');
+  await dialog.getByText('Waypoints and rows of the files').click();
+  const rows = dialog.getByRole('region', { name: 'Rows of the files' }).locator('tbody tr');
+  await expect(rows).toHaveText([/^S0/, ...lists.map(({ name, row, waypoint }) => new RegExp(`^${waypoint}${waypoint}${name}${row}$`))]);
+  await page.keyboard.press('Escape');
+  await request.delete(`/collections/plans/items/${plan.plan_id}`);
+});
+
 test('a message names a waypoint as the map, the panel and the brief do', async ({ page, request }) => {
   const inputs = {
     from: [-53.1, 68.96], to: [-51.85, 68.96], depart: '2026-11-22T00:00:00Z', spacing_m: 2500, refine: false, icebergs: 'none', name: 'Below ice',
@@ -102,4 +155,16 @@ function expectRows(rows: string[][], { waypoints }: Plan): void {
     expect(lat).toMatch(minutesOf(waypoints[i]?.lat ?? NaN));
     expect(lon).toMatch(minutesOf(waypoints[i]?.lon ?? NaN));
   });
+}
+
+/** Degrees of "6912.3456", which are degrees and minutes as the vehicle writes them. */
+function degreesOf(written = ''): number {
+  const value = Math.abs(Number(written));
+  const degrees = Math.floor(value / 100);
+  return Math.sign(Number(written)) * (degrees + (value - 100 * degrees) / 60);
+}
+
+function expectNear([lon, lat]: LonLat, waypoint: Waypoint | undefined): void {
+  expect(lon).toBeCloseTo(waypoint?.lon ?? NaN, 5);
+  expect(lat).toBeCloseTo(waypoint?.lat ?? NaN, 5);
 }

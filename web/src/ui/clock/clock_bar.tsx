@@ -51,7 +51,8 @@ export function ClockBar(): VNode {
           <span>{shortTime(end_ms)}{end_ms < whole.end_ms && ' ›'}</span>
         </div>
       </div>
-      <output class="clock-now">
+      {/* While it runs, each step would be spoken. */}
+      <output class="clock-now" aria-live={playing.value ? 'off' : 'polite'}>
         <b>{shortTime(now_ms)}</b>
         <span>{sinceDeparture(now_ms, 'T+') || 'UTC'}</span>
       </output>

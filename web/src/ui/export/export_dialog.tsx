@@ -1,6 +1,7 @@
 import { useEffect, useState } from 'preact/hooks';
 import type { VNode } from 'preact';
 import { dangersIn, downloadAddress, faultsOf, mission, type ExportFormat } from '../../actions/client';
+import { saveFile } from '../../actions/saving';
 import type { Message, MissionPreview, Plan } from '../../contract/types';
 import { exportLabelOf, exportLabels, exportOptions, exportOptionsOf, exportWish, lastList, type ExportOptions, type ExportQuery, type ExportWish } from '../../model/plan/export_options';
 import { listRows } from '../../model/plan/list_rows';
@@ -36,6 +37,7 @@ function Export({ plan }: { plan: Plan }): VNode {
   const [dangers, setDangers] = useState<string[]>([]);
   const [accepted, setAccepted] = useState(false);
   const [file, setFile] = useState(0);
+  const [refused, setRefused] = useState<{ title: string; texts: string[] }>({ title: '', texts: [] });
 
   useEffect(() => {
     if (!valid) return;
@@ -59,6 +61,7 @@ function Export({ plan }: { plan: Plan }): VNode {
     };
   }, [plan.plan_id, asked, valid, accepted]);
 
+  const refuse = (title: string, texts: string[]): void => setRefused({ title, texts });
   const shown = preview?.files[file];
   const closed = dangers.length > 0 && !accepted;
   const told = toldAtExport(plan, preview);
@@ -67,13 +70,14 @@ function Export({ plan }: { plan: Plan }): VNode {
       <div class="export-controls" onChange={askNow}>
         <Options options={options} faults={wish.faults} change={(part) => { exportOptions.value = { plan_id: plan.plan_id, options: { ...options, ...part } }; }} />
         <div class="downloads" role="group" aria-label="Downloads">
-          <Download plan={plan} format="zip" query={{ ...wish.query, ...wish.folder }} title="Mission files (.zip)" accepted={accepted} closed={closed || !valid} primary />
-          {others.map(([format, title]) => <Download key={format} plan={plan} format={format} query={{}} title={title} accepted={accepted} closed={closed} />)}
+          <Download plan={plan} format="zip" query={{ ...wish.query, ...wish.folder }} title="Mission files (.zip)" accepted={accepted} closed={closed || !valid} refuse={refuse} primary />
+          {others.map(([format, title]) => <Download key={format} plan={plan} format={format} query={{}} title={title} accepted={accepted} closed={closed} refuse={refuse} />)}
         </div>
       </div>
+      <Refusal title={`${refused.title}: no file is written`} faults={refused.texts} />
       <Dangers dangers={dangers.map((text) => told.find((message) => message.text === text) ?? bareMessage('danger', text))} accepted={accepted} accept={setAccepted} />
       <Messages of={{ messages: told.filter(({ text }) => !dangers.includes(text)), warnings: [] }} />
-      <Refusal faults={faults} />
+      <Refusal title="No mission files are written" faults={faults} />
       {preview && preview.files.length > 1 && (
         <div class="file-tabs" role="group" aria-label="Files">
           {preview.files.map(({ name }, i) => (
@@ -214,12 +218,12 @@ function Rows({ preview }: { preview: MissionPreview }): VNode | null {
   );
 }
 
-/** Why the server writes no mission files of the plan; the other downloads contain only its route. */
-function Refusal({ faults }: { faults: string[] }): VNode | null {
+/** Why the server does not write files of the plan. */
+function Refusal({ title, faults }: { title: string; faults: string[] }): VNode | null {
   if (faults.length === 0) return null;
   return (
     <section class="fault" role="alert">
-      <h3>No mission files are written</h3>
+      <h3>{title}</h3>
       <ul>{faults.map((text) => <li key={text}>{asSentence(text)}</li>)}</ul>
     </section>
   );
@@ -232,13 +236,23 @@ interface DownloadProps {
   title: string;
   accepted: boolean;
   closed: boolean; // dangers are not confirmed yet, or an option is wrong
+  refuse: (title: string, faults: string[]) => void; // told why the server writes no such file; nothing when it does
   primary?: boolean;
 }
 
-function Download({ plan, format, query, title, accepted, closed, primary }: DownloadProps): VNode {
+function Download({ plan, format, query, title, accepted, closed, refuse, primary }: DownloadProps): VNode {
+  const save = async (event: MouseEvent & { currentTarget: HTMLAnchorElement }): Promise<void> => {
+    event.preventDefault();
+    refuse(title, []);
+    try {
+      await saveFile(event.currentTarget.href);
+    } catch (error) {
+      refuse(title, faultsOf(error, exportLabelOf));
+    }
+  };
   if (closed) return <button type="button" class={primary ? 'primary' : undefined} disabled><Icon name="download" /> {title}</button>;
   return (
-    <a class={primary ? 'button primary' : 'button'} href={downloadAddress(plan.plan_id, format, query, accepted)} download="">
+    <a class={primary ? 'button primary' : 'button'} href={downloadAddress(plan.plan_id, format, query, accepted)} download="" onClick={(event) => void save(event)}>
       <Icon name="download" /> {title}
     </a>
   );
