@@ -98,6 +98,16 @@ test('files for vehicles and tables hold the same waypoints in the same order, a
   const degrees = (radians: number): number => (radians * 180) / Math.PI;
   maneuvers.forEach(({ data }, i) => expectNear([degrees(data.lon), degrees(data.lat)], flown[i]));
 
+  const targets = found(await file('.targets'), /^WP(\w+) lat=(\S+) lon=(\S+) .*goto=(\S+)$/gm);
+  expect(targets.map(([name]) => name)).toEqual(flown.map(nameOf));
+  expect(targets.map(([, , , next]) => next)).toEqual([...flown.slice(1), ...flown.slice(-1)].map((waypoint) => `WP${nameOf(waypoint)}`));
+  targets.forEach(([, lat, lon], i) => expectNear([degreesOf(lon), degreesOf(lat)], flown[i]));
+
+  const { features } = JSON.parse(await file('.geojson')) as { features: { geometry: { type: string; coordinates: LonLat }; properties: Waypoint }[] };
+  const points = features.filter(({ geometry }) => geometry.type === 'Point');
+  expect(points.map(({ properties }) => properties.index)).toEqual(waypoints.map(({ index }) => index));
+  points.forEach(({ geometry }, i) => expectNear(geometry.coordinates, waypoints[i]));
+
   const { files } = JSON.parse(await file('')) as { files: { name: string; text: string }[] };
   const lists = files.flatMap(({ name, text }) => {
     const [, first = '', last = ''] = /^# .*: waypoints (\d+) to (\d+) of \d+$/m.exec(text) ?? [];
