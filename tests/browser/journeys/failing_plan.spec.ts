@@ -72,3 +72,25 @@ test('where the currents end before the route does, a plan without them is one p
   await page.keyboard.press('Control+z');
   await expect(page.getByLabel('Currents', { exact: true })).toHaveValue('newest');
 });
+
+test('a departure after the end of the currents is explained in the words of the page, with what a pilot would try first', async ({ page, request }) => {
+  const { start, goal } = await findPlaces(request);
+  await open(page);
+  await page.getByLabel('Start', { exact: true }).fill(typed(start));
+  await page.getByLabel('Goal', { exact: true }).fill(typed(goal));
+  const departure = page.getByRole('textbox', { name: /^Departure/ });
+  await departure.fill('2026-12-20 00:00');
+  await page.getByRole('button', { name: /^Plan / }).click();
+  const failure = page.getByRole('alert', { name: 'Planning failed' });
+  await expect(failure).toContainText('Departure 20 Dec 00:00Z is outside the period of the currents');
+  await expect(failure).not.toContainText(/--|T00:00:00Z|\/depart/);
+  const remedies = failure.getByRole('group', { name: 'Changes that may help' }).getByRole('button');
+  await expect(remedies).toHaveText(['Depart when the currents begin, 22 Nov 00:00Z', 'Hold the currents at departure', 'Plan without currents']);
+  await expectAccessible(page);
+  const plans = Number(await page.locator('#map').getAttribute('data-plans'));
+  await remedies.first().focus();
+  await page.keyboard.press('Enter');
+  await expect(page.locator('#map')).toHaveAttribute('data-plans', String(plans + 1), { timeout: 120_000 });
+  await expect(failure).toBeHidden();
+  await expect(departure).toHaveValue('2026-11-22 00:00');
+});

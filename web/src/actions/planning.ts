@@ -1,11 +1,13 @@
 import { setTime } from '../model/clock';
-import { draft, edit, faults, generalFaults, refuse } from '../model/setup/draft';
+import { departureRemedies } from '../model/setup/departure_remedies';
+import { draft, edit, faults, generalFaults, refuse, type Draft } from '../model/setup/draft';
 import { editFor, sortViolations } from '../model/setup/draft_answer';
 import { inputsOf } from '../model/setup/draft_request';
 import { whyNotPlanned } from '../model/drawing';
 import { failure, reasonTitle, running } from '../model/job';
 import { warnedOf } from '../model/messages';
 import { forbids } from '../model/login';
+import { asSentence } from '../model/page_words';
 import { add, nextName, routeOf } from '../model/plan/plans';
 import { conditionsOf, rememberRequest, requestOf, withDeparture } from '../model/setup/requests';
 import { announce, drawer, leftTab, rightTab, tell } from '../model/screen';
@@ -37,13 +39,13 @@ export async function plan(): Promise<void> {
     return;
   }
   faults.value = {};
-  await planWith(form.inputs);
+  await planFor(form.inputs);
 }
 
 /** Plans again with another departure and otherwise the same inputs. */
 export async function planAt(planned: Plan, departure: string): Promise<void> {
   await learnRequest(planned.plan_id);
-  await planWith(withDeparture(requestOf(planned.plan_id) ?? guessedRequest(planned), departure));
+  await planFor(withDeparture(requestOf(planned.plan_id) ?? guessedRequest(planned), departure));
 }
 
 /** Assumed inputs of a plan, if the server does not have them. */
@@ -53,7 +55,7 @@ function guessedRequest(planned: Plan): PlanInputs {
   return { ...conditionsOf(planned).conditions, from, to };
 }
 
-async function planWith(inputs: PlanInputs): Promise<void> {
+async function planFor(inputs: PlanInputs): Promise<void> {
   if (running.value) return;
   failure.value = undefined;
   const named = { ...inputs, name: inputs.name ?? nextName() };
@@ -91,14 +93,12 @@ async function attend(inputs: PlanInputs, started_ms: number, begin: () => Promi
 /** Applies a change proposed by the server and plans again. */
 export async function planWithChange(change: Change): Promise<void> {
   const part = editFor(change, draft.value);
-  if (!part) return;
-  edit(part);
-  await plan();
+  if (part) await planWith(part);
 }
 
-/** Plans again without currents; undo restores the choice. */
-export async function planWithoutCurrents(): Promise<void> {
-  edit({ currents: 'none' });
+/** Changes the set-up and plans again; undo restores what was changed. */
+export async function planWith(part: Partial<Draft>): Promise<void> {
+  edit(part);
   await plan();
 }
 
@@ -111,8 +111,9 @@ async function carryOut(begun: JobStatus, inputs: PlanInputs, started_ms: number
     return;
   }
   if (status.status === 'failed') {
-    failure.value = { kind: 'failed', title: 'Planning failed', detail: status.message || 'The server gave no reason.' };
-    announce('Planning failed.');
+    const detail = asSentence(status.message || 'The server gave no reason.');
+    failure.value = { kind: 'failed', title: 'Planning failed', detail, remedies: departureRemedies(inputs) };
+    announce(`Planning failed. ${detail}`);
     return;
   }
   const { plan: answer } = await api.jobResults(status.jobID);

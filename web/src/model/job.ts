@@ -1,6 +1,7 @@
 import { signal } from '@preact/signals';
 import type { Infeasible, JobStatus } from '../contract/types';
 import { asSentence } from './page_words';
+import type { Draft } from './setup/draft';
 
 /** The planning job under way, if any. */
 export interface RunningJob {
@@ -10,8 +11,14 @@ export interface RunningJob {
 
 export const running = signal<RunningJob | undefined>(undefined);
 
+/** A change of the set-up that may help, and the words of its button. */
+export interface Remedy {
+  title: string;
+  part: Partial<Draft>;
+}
+
 /** Why the last attempt gave no plan. */
-export type Failure = { kind: 'infeasible'; answer: Infeasible } | { kind: 'failed'; title: string; detail: string };
+export type Failure = { kind: 'infeasible'; answer: Infeasible } | { kind: 'failed'; title: string; detail: string; remedies?: Remedy[] };
 
 export const failure = signal<Failure | undefined>(undefined);
 

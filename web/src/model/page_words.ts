@@ -1,5 +1,5 @@
 import { formatPosition } from '../geo/coordinates';
-import { labelsOfFlags } from './fields';
+import { formOf, labelsOfFlags } from './fields';
 import { settings } from './settings';
 import { shortTime } from './time';
 
@@ -22,12 +22,21 @@ export const asSentence = (text: string): string => {
 /** A position in the server's sentences: longitude and latitude to four decimals. */
 const placeInText = /(-?\d{1,3}\.\d{4}), (-?\d{1,2}\.\d{4})/g;
 
+/** The field that a sentence of the server begins with, as a JSON pointer. */
+const pointerOfField = /^\/(?:inputs\/)?([a-z_]+)(?:\/([a-z_]+))?(?= )/;
+
+/** “Departure” for /depart; a pointer to what the page has no field for stays. */
+function labelOfPointer(pointer: string, outer: string, inner?: string): string {
+  return formOf(inner ? `${outer}.${inner}` : outer).label || pointer;
+}
+
 /**
  * A sentence of the server in the terms of this page: “Longest hold” for --max-hold, and positions in the page's
  * notation.
  */
 export const inPageWords = (text: string): string =>
   text
+    .replace(pointerOfField, labelOfPointer)
     .replace(orderOfNumbers, '')
     .replace(placeOfFlag, (_, lon: string, lat: string) => formatPosition([Number(lon), Number(lat)], settings.value.coordinates))
     .replace(placeInText, (_, lon: string, lat: string) => formatPosition([Number(lon), Number(lat)], settings.value.coordinates))

@@ -10,6 +10,9 @@ it('flags of the command line become the fields of the page, whole ones only', (
   expect(inPageWords('move it into the water; longitude comes first')).toBe('move it into the water');
   expect(inPageWords('did you mean --from=-53.2,69.2?')).toBe('did you mean 69°12.0′N 053°12.0′W?');
   expect(inPageWords('closed until 2026-11-22T19:24:33Z')).toBe('closed until 22 Nov 19:24Z');
+  expect(inPageWords('/depart 2026-11-20T00:00:00Z is outside')).toBe('Departure 20 Nov 00:00Z is outside');
+  expect(inPageWords('/under_ice/escape_plan must be true')).toBe('Escape route from every waypoint must be true');
+  expect(inPageWords('/remarks must be short')).toBe('/remarks must be short');
   expect(inPageWords('a well-known --thing -- and more')).toBe('a well-known --thing -- and more');
 });
 

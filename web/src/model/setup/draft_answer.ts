@@ -3,6 +3,7 @@ import type { Change, Violation } from '../../contract/types';
 import { exactPosition } from '../../geo/coordinates';
 import { emptyDraft, hasGoalsFile, type Draft, type Faults, type Field } from './draft';
 import { factorOf, numberFields, timeFields, type NumberField } from '../fields';
+import { inPageWords } from '../page_words';
 import { fieldOf, isoOf } from '../time';
 
 const fieldNames = Object.keys(emptyDraft) as Field[];
@@ -21,7 +22,8 @@ export function sortViolations(violations: Violation[]): { faults: Faults; gener
   const general: string[] = [];
   for (const { pointer, detail } of violations) {
     const field = fieldAt(pointer);
-    const text = detail.charAt(0).toUpperCase() + detail.slice(1);
+    const said = inPageWords(detail);
+    const text = said.charAt(0).toUpperCase() + said.slice(1);
     const word = pointer.replace(/^\/?(inputs\/)?/, '');
     if (field) sorted[field] = sorted[field] ? `${sorted[field].replace(/\.$/, '')}. ${text}` : text;
     else general.push(word ? `${word}: ${text}` : text);

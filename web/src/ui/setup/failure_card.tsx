@@ -1,6 +1,6 @@
 import type { VNode } from 'preact';
 import { useEffect, useRef } from 'preact/hooks';
-import { planWithChange, planWithoutCurrents } from '../../actions/planning';
+import { planWith, planWithChange } from '../../actions/planning';
 import type { Change } from '../../contract/types';
 import { formatPosition } from '../../geo/coordinates';
 import { draft } from '../../model/setup/draft';
@@ -36,8 +36,8 @@ function titleOfChange({ text }: Change): string {
 export function FailureCard(): VNode | null {
   const fault = failure.value;
   const card = useRef<HTMLElement>(null);
-  // On a low screen the card may lie below the visible part. A failure must always be seen.
-  useEffect(() => card.current?.scrollIntoView({ block: 'nearest' }), [fault]);
+  // The card may lie below the visible part, or be higher than it. The cause must always be seen.
+  useEffect(() => card.current?.scrollIntoView({ block: 'start' }), [fault]);
   if (!fault) return null;
   const close = (): void => {
     failure.value = undefined;
@@ -47,6 +47,15 @@ export function FailureCard(): VNode | null {
       <section class="failure" role="alert" aria-label="Planning failed" ref={card}>
         <h3><Icon name="warning" /> {fault.title}</h3>
         <p>{fault.detail}</p>
+        {fault.remedies && fault.remedies.length > 0 && (
+          <div class="changes" role="group" aria-label="Changes that may help">
+            {fault.remedies.map(({ title, part }) => (
+              <button type="button" key={title} disabled={running.value !== undefined} onClick={() => void planWith(part)}>
+                <Icon name="route" /> {title}
+              </button>
+            ))}
+          </div>
+        )}
         <IconButton icon="x" label="Dismiss this message" onClick={close} class="corner" />
       </section>
     );
@@ -72,7 +81,7 @@ export function FailureCard(): VNode | null {
       )}
       {mayHelpWithoutCurrents(answer) && draft.value.currents !== 'none' && (
         <div class="changes">
-          <button type="button" disabled={running.value !== undefined} onClick={() => void planWithoutCurrents()}>
+          <button type="button" disabled={running.value !== undefined} onClick={() => void planWith({ currents: 'none' })}>
             <Icon name="route" /> Plan without currents
           </button>
           <p class="hint">Such a plan assumes still water: its times and energy hold only where the currents are weak.</p>
