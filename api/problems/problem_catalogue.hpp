@@ -69,8 +69,8 @@ inline constexpr auto problem_kinds = std::to_array<ProblemKind>({
     {.code = "too-many-files",
      .status = 429,
      .title = "Too many files at once",
-     .detail = "You are sending {most} files, the most for one client at a time; send this one when another "
-               "has arrived.",
+     .detail = "{most} files are on their way between you and the server, the most for one client at a time; "
+               "try again when one of them has arrived.",
      .slots = {{{"most", 8}}}},
 
     // Authentication and authorisation.
@@ -99,12 +99,14 @@ inline constexpr auto problem_kinds = std::to_array<ProblemKind>({
     {.code = "forbidden",
      .status = 403,
      .title = "Forbidden",
-     .detail = "This needs the role {needed}; your token has the role {given}.",
+     .detail = "This needs the role {needed}, but your token has the role {given}; ask the operator for "
+               "another token.",
      .slots = {{{"needed", "pilot"}, {"given", "viewer"}}}},
     {.code = "foreign-page",
      .status = 403,
      .title = "Forbidden",
-     .detail = "A page of another site may not do this; the server's --allow-origin names those that may."},
+     .detail = "A page of another site sent this request, and the server does not allow that site; the "
+               "operator allows a site with --allow-origin."},
     {.code = "unknown-host",
      .status = 421,
      .title = "Misdirected request",
@@ -196,12 +198,12 @@ inline constexpr auto problem_kinds = std::to_array<ProblemKind>({
     {.code = "unknown-path",
      .status = 404,
      .title = "Not found",
-     .detail = "There is nothing at {path}.",
+     .detail = "The server has nothing at {path}; check the address. /api lists all addresses.",
      .slots = {{{"path", "/plans"}}}},
     {.code = "no-client",
      .status = 404,
      .title = "Not found",
-     .detail = "The browser client is not installed beside this server."},
+     .detail = "This server was started without the browser client; start it with serve --web FOLDER."},
     {.code = "unknown-dataset",
      .status = 404,
      .title = "Not found",
@@ -304,7 +306,7 @@ inline constexpr auto problem_kinds = std::to_array<ProblemKind>({
     {.code = "unknown-job",
      .status = 404,
      .title = "Not found",
-     .detail = "The job was removed before it ended."},
+     .detail = "The job was removed before it ended; send the request again."},
     {.code = "job-failed",
      .status = 400,
      .title = "The job failed",

@@ -68,6 +68,18 @@ inline constexpr auto data_kinds = std::to_array<Kind>({
                 {"datasets", "Ice Patrol (icebergs-1)"},
                 {"oldest", "2027-01-05T06:00:00Z"},
                 {"names", "B-17, B-18"}}}},
+    // No request may ask for sightings as old as these.
+    {.code = "sightings-too-old-for-any-plan",
+     .rank = Rank::danger,
+     .text = "{ignored} of {known} {known:iceberg|icebergs} of {datasets} {ignored:was|were} ignored, not "
+             "seen since {oldest}. {ignored:The iceberg|Each} may still be near the route, and the plan "
+             "{ignored:does not avoid it|avoids none of them}",
+     .hint = "Ingest newer sightings. Ignored: {names}",
+     .slots = {{{"ignored", 2},
+                {"known", 60},
+                {"datasets", "Ice Patrol (icebergs-1)"},
+                {"oldest", "2026-12-13T00:00:00Z"},
+                {"names", "B-17, B-18"}}}},
     {.code = "sightings-after-departure",
      .rank = Rank::danger,
      .text = "{ignored} {ignored:iceberg was|icebergs were} ignored, seen only after the departure at "
@@ -107,14 +119,16 @@ inline constexpr auto data_kinds = std::to_array<Kind>({
     {.code = "sightings-before-currents",
      .rank = Rank::caution,
      .text = "{before} of {icebergs} {icebergs:iceberg|icebergs} {before:was|were} last seen before the "
-             "currents begin at {begin}. Until then each iceberg is assumed to keep its last observed drift, "
-             "else to drift with the wind, else to stay in place",
+             "currents begin at {begin}. Until then each iceberg is assumed to keep its last observed "
+             "drift, else to drift with the wind, else to stay in place",
+     .hint = "Ingest currents that begin earlier, or newer sightings",
      .slots = {{{"before", 60}, {"icebergs", 60}, {"begin", "2027-01-12T00:00:00Z"}}}},
     {.code = "earlier-sightings-before-currents",
      .rank = Rank::caution,
      .text = "{before} of {icebergs} {icebergs:iceberg|icebergs} {before:was|were} first seen before the "
-             "currents begin at {begin}. Their forecast follows the current and the wind, not the drift "
-             "observed between sightings",
+             "currents begin at {begin}. Their forecast follows the current and the wind. It cannot use "
+             "the drift that was observed between the sightings",
+     .hint = "Ingest currents that begin earlier",
      .slots = {{{"before", 3}, {"icebergs", 60}, {"begin", "2027-01-12T00:00:00Z"}}}},
     {.code = "icebergs-beyond-currents",
      .rank = Rank::caution,
@@ -151,12 +165,15 @@ inline constexpr auto data_kinds = std::to_array<Kind>({
      .slots = {{{"dataset", "chart (ice-1)"}, {"step", "2027-01-08T00:00:00Z"}}}},
     {.code = "ice-held",
      .rank = Rank::caution,
-     .text = "sea ice does not change during the plan. The ice of {dataset} at {step}, its time nearest to "
-             "the departure, is used throughout",
+     .text = "the plan uses one state of the sea ice at all times: that of {dataset} at {step}, the time "
+             "nearest to the departure. The true ice moves during the plan",
+     .hint = "Ingest newer sea ice shortly before the departure, and plan again",
      .slots = {{{"dataset", "chart (ice-1)"}, {"step", "2027-01-11T00:00:00Z"}}}},
     {.code = "ice-without-thickness",
      .rank = Rank::caution,
-     .text = "the sea ice of {dataset} has no thickness, so a draft is assumed wherever the data show ice",
+     .text = "the sea ice of {dataset} has no thickness, so a draft is assumed wherever the data show "
+             "ice",
+     .hint = "Ingest sea ice with a thickness if you have it",
      .slots = {{{"dataset", "chart (ice-1)"}}}},
     {.code = "ice-with-thickness-of-others",
      .rank = Rank::caution,
@@ -165,8 +182,8 @@ inline constexpr auto data_kinds = std::to_array<Kind>({
      .slots = {{{"dataset", "chart (ice-1)"}}}},
     {.code = "ice-areas-not-used",
      .rank = Rank::caution,
-     .text = "{dataset} holds areas of sea ice and nothing about the water outside them, so it is not used "
-             "together with {used}",
+     .text = "{dataset} holds areas of sea ice, but does not say whether the water outside them is open. "
+             "It is therefore not used together with {used}",
      .hint = "Import the areas as zones, or name this dataset (--ice) to plan with it alone",
      .slots = {{{"dataset", "fast ice (ice-2)"}, {"used", "chart (ice-1)"}}}},
     {.code = "ice-joined",
@@ -177,6 +194,7 @@ inline constexpr auto data_kinds = std::to_array<Kind>({
     {.code = "old-ice-not-asked",
      .rank = Rank::note,
      .text = "more than {most} datasets of sea ice cover this area and time. The oldest are not used",
+     .hint = "Name the datasets to use (--ice), or remove old ones",
      .slots = {{{"most", 40}}}},
 
     // Depths.
@@ -195,36 +213,43 @@ inline constexpr auto data_kinds = std::to_array<Kind>({
     // Currents.
     {.code = "currents-without-depth",
      .rank = Rank::caution,
-     .text = "the currents {dataset} state no depth, so they are used at every depth",
+     .text = "the currents {dataset} state no depth, so they are used at every depth. At some depths the "
+             "true current may be different",
+     .hint = "Ingest currents with depths if you have them",
      .slots = {{{"dataset", "bay model (currents-1)"}}}},
     {.code = "currents-of-one-level",
      .rank = Rank::caution,
-     .text = "the currents {dataset} have only one level ({level}), so they are used at every depth",
+     .text = "the currents {dataset} have only one level ({level}), so they are used at every depth. At "
+             "other depths the true current may be different",
+     .hint = "Ingest currents with more levels if you have them",
      .slots = {{{"dataset", "bay model (currents-1)"}, {"level", "1 m"}}}},
     {.code = "currents-above-dives",
      .rank = Rank::caution,
-     .text = "the currents {dataset} end at a depth of {deepest}, but dives go to {dives}. The water below "
-             "is assumed to move with the mean of the water above",
+     .text = "the currents {dataset} end at a depth of {deepest}, but dives go to {dives}. Below that "
+             "depth the plan uses the mean of the currents above, and the true current may differ",
+     .hint = "Ingest currents that reach deeper, or dive less deep (--dive-depth)",
      .slots = {{{"dataset", "bay model (currents-1)"}, {"deepest", "50 m"}, {"dives", "200 m"}}}},
     {.code = "currents-without-time",
      .rank = Rank::caution,
      .text = "the currents {dataset} state no time, so they are held steady",
+     .hint = "Check that they are the currents of the time of the mission",
      .slots = {{{"dataset", "bay model (currents-1)"}}}},
     {.code = "currents-held-steady",
      .rank = Rank::note,
-     .text = "the currents {dataset} are held steady, as at {time}",
+     .text = "the currents {dataset} are held steady. The plan uses the currents of {time} at all times",
      .slots = {{{"dataset", "bay model (currents-1)"}, {"time", "2027-01-12T00:00:00Z"}}}},
     {.code = "currents-held-at-mean",
      .rank = Rank::note,
-     .text = "the currents {dataset} are held steady at the mean of {steps} {steps:time step|time steps} "
-             "from {period}",
+     .text = "the currents {dataset} are held steady. At all times the plan uses the mean of {steps} "
+             "{steps:time step|time steps} from {period}",
      .slots = {{{"dataset", "bay model (currents-1)"},
                 {"steps", 24},
                 {"period", "2027-01-12T00:00:00Z to 2027-01-13T00:00:00Z"}}}},
     {.code = "currents-of-another-time",
      .rank = Rank::caution,
-     .text = "the currents {dataset} are held steady, but they are those of {period}, and the departure lies "
-             "{gap_d:.1f} days from that time. The currents of the mission may be quite different",
+     .text = "the currents {dataset} are held steady. They are the currents of {period}, but the "
+             "departure lies {gap_d:.1f} days from that time. The true currents of the mission may be "
+             "quite different",
      .hint = "Ingest currents of the time of the mission",
      .slots = {{{"dataset", "bay model (currents-1)"},
                 {"period", "2027-01-12T00:00:00Z to 2027-01-13T00:00:00Z"},
@@ -258,11 +283,12 @@ inline constexpr auto data_kinds = std::to_array<Kind>({
     {.code = "tides-unknown-at-nodes",
      .rank = Rank::caution,
      .text = "the tides {tides} have no value at {unknown} of {nodes} nodes of the currents. These nodes "
-             "count as land",
+             "count as land, so no route passes there",
+     .hint = "To open this water to routes, name another tide model (--tides)",
      .slots = {{{"tides", "bay tides (tides-1)"}, {"unknown", 14}, {"nodes", 900}}}},
     {.code = "tides-in-coarse-steps",
      .rank = Rank::caution,
-     .text = "the tides are computed only every {step}, which is too coarse for their changes",
+     .text = "the plan computes the tides only every {step}, which misses part of their changes",
      .hint = "Plan in a smaller area, which allows finer steps",
      .slots = {{{"step", "30 min"}}}},
     {.code = "tides-end-early",

@@ -11,11 +11,13 @@ inline constexpr auto export_kinds = std::to_array<Kind>({
     // The plan checked with newer data.
     {.code = "closed-in-newest-data",
      .rank = Rank::danger,
-     .text = "The newest data close leg {leg}: {found}.",
+     .text = "In the newest data, leg {leg} is closed: {found}",
+     .hint = "Plan again.",
      .slots = {{{"leg", 3}, {"found", "the route comes too close to an iceberg"}}}},
     {.code = "unknown-in-newest-data",
      .rank = Rank::caution,
-     .text = "The newest data leave leg {leg} unchecked: {found}.",
+     .text = "Leg {leg} could not be checked in the newest data: {found}",
+     .hint = "Ingest data that cover this leg, and check again.",
      .slots = {{{"leg", 3}, {"found", "the stored data do not cover this place at this time"}}}},
     {.code = "ice-above-in-newest-data",
      .rank = Rank::danger,
@@ -34,7 +36,8 @@ inline constexpr auto export_kinds = std::to_array<Kind>({
      .text = "The data have changed since the plan was made. The plan is still clear in the newest data."},
     {.code = "not-checked-in-data",
      .rank = Rank::caution,
-     .text = "The plan could not be checked in the stored data, because {why}.",
+     .text = "The plan could not be checked in the stored data, because {why}",
+     .hint = "Ingest these data, and check again.",
      .slots = {{{"why", "no stored dataset reaches 60 W to 58 W, 69 N to 70 N"}}}},
     {.code = "not-checked-by-this-version",
      .rank = Rank::caution,
@@ -42,13 +45,16 @@ inline constexpr auto export_kinds = std::to_array<Kind>({
      .hint = "Plan again before the flight."},
     {.code = "made-without-bathymetry",
      .rank = Rank::caution,
-     .text = "The plan was made without bathymetry, so depths are not checked."},
+     .text = "The plan was made without bathymetry, so the depth of the water is not checked",
+     .hint = "Ingest bathymetry and plan again, or check the depths on a nautical chart."},
     {.code = "made-without-ice",
      .rank = Rank::caution,
-     .text = "The plan was made without sea ice, so open water is assumed."},
+     .text = "The plan was made without sea ice, so open water is assumed",
+     .hint = "If there may be ice on the route, ingest sea ice and plan again."},
     {.code = "made-without-icebergs",
      .rank = Rank::caution,
-     .text = "The plan was made without icebergs, so it avoids none."},
+     .text = "The plan was made without icebergs, so it avoids none",
+     .hint = "If there may be icebergs on the route, ingest sightings and plan again."},
 
     // Lists of waypoints.
     {.code = "several-lists",
@@ -125,9 +131,9 @@ inline constexpr auto export_kinds = std::to_array<Kind>({
      .slots = {{{"radius_m", 500.0}, {"shortest_m", 800.0}}}},
     {.code = "corners-may-be-cut",
      .rank = Rank::caution,
-     .text = "The vehicle turns up to {radius_m:.0f} m before a waypoint and may cut corners, but the plan "
-             "passes {what} at {clearance_m:.0f} m",
-     .hint = "Consider a smaller waypoint radius.",
+     .text = "The vehicle turns up to {radius_m:.0f} m before a waypoint and may cut corners, but the "
+             "plan passes {what} at {clearance_m:.0f} m",
+     .hint = "Choose a smaller waypoint radius.",
      .slots = {{{"radius_m", 500.0}, {"what", "an iceberg"}, {"clearance_m", 400.0}}}},
     {.code = "long-leg",
      .rank = Rank::caution,
@@ -196,8 +202,10 @@ inline constexpr auto export_kinds = std::to_array<Kind>({
     // Below ice and icebergs.
     {.code = "files-pass-under-iceberg",
      .rank = Rank::caution,
-     .text = "The plan passes under iceberg {iceberg} from {from} to {until}. During this time the vehicle "
-             "must not surface, and the upper turn of the yo must be at {turn_m:.0f} m or deeper.",
+     .text = "The plan passes under iceberg {iceberg} from {from} to {until}. During this time the "
+             "vehicle must not surface",
+     .hint = "Set the upper turn of the yo to {turn_m:.0f} m or deeper, and request no surfacing in this "
+             "time.",
      .slots = {{{"iceberg", "B-17"},
                 {"from", "2027-01-12T18:00:00Z"},
                 {"until", "2027-01-12T19:00:00Z"},
@@ -209,7 +217,8 @@ inline constexpr auto export_kinds = std::to_array<Kind>({
      .slots = {{{"waypoints", "3 to 5"}, {"turn_m", 40.0}}}},
     {.code = "nowhere-to-surface",
      .rank = Rank::caution,
-     .text = "The vehicle has no place to surface on the legs to these waypoints: {waypoints}.",
+     .text = "On the legs to these waypoints the vehicle has no place to surface: {waypoints}",
+     .hint = "Make sure that no setting on board makes it surface there.",
      .slots = {{{"waypoints", "3 to 5"}}}},
     {.code = "upper-turns-not-told",
      .rank = Rank::caution,
@@ -238,15 +247,14 @@ inline constexpr auto export_kinds = std::to_array<Kind>({
          "goto_l98.ma replaces the list of safe places on board. The firmware itself writes goto_l99.ma."},
     {.code = "no-ice-on-route",
      .rank = Rank::note,
-     .text = "The route passes below no ice: the mission surfaces at every waypoint and every "
-             "{interval_h:.1f} h. "
-             "The safe places and the settings for ice are for emergencies.",
+     .text = "The route passes below no ice, so the mission surfaces at every waypoint and every "
+             "{interval_h:.1f} h. The safe places and the settings for ice are for emergencies.",
      .slots = {{{"interval_h", 3.0}}}},
     {.code = "safe-places-without-ice-data",
      .rank = Rank::caution,
-     .text = "The plan was made without data on sea ice, so the mission surfaces at every waypoint and every "
-             "{interval_h:.1f} h, as in open water:",
-     .hint = "if there may be ice on the route, import sea ice and plan again.",
+     .text = "The plan was made without data on sea ice, so the mission surfaces at every waypoint and "
+             "every {interval_h:.1f} h, as in open water",
+     .hint = "If there may be ice on the route, ingest sea ice and plan again.",
      .slots = {{{"interval_h", 3.0}}}},
     {.code = "watchdog-not-held-off",
      .rank = Rank::caution,
@@ -280,7 +288,8 @@ inline constexpr auto export_kinds = std::to_array<Kind>({
     {.code = "yo-above-plan",
      .rank = Rank::caution,
      .text = "The yo turns at {yo_m:.0f} m instead of the planned {planned_m:.0f} m, because the vehicle "
-             "aborts at its depth rating of {rating_m:.0f} m.",
+             "aborts at its depth rating of {rating_m:.0f} m",
+     .hint = "Check the energy and the times with this depth (--dive-depth {yo_m:.0f}).",
      .slots = {{{"yo_m", 980.0}, {"planned_m", 1000.0}, {"rating_m", 1000.0}}}},
     {.code = "pump-of-profile",
      .rank = Rank::caution,
@@ -331,7 +340,8 @@ inline constexpr auto export_kinds = std::to_array<Kind>({
                 {"planned_m", 100.0}}}},
     {.code = "no-science-file",
      .rank = Rank::note,
-     .text = "No science file is written, so the vehicle samples as it did before."},
+     .text = "No science file is written, so the vehicle samples as it did before",
+     .hint = "To change the sampling, give depth bands (--science)."},
 });
 
 /// Makes the message with this code. `given`: its values, in the order of its slots in the table above.

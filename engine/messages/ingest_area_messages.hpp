@@ -178,8 +178,9 @@ inline constexpr auto ingest_area_kinds = std::to_array<Kind>({
      .text = "ice shelves are stored as land, so no route passes below them"},
     {.code = "gshhg-is-rough",
      .rank = Rank::note,
-     .text =
-         "GSHHG has gross errors in north Greenland and at old glacier fronts, and is not for navigation"},
+     .text = "GSHHG has gross errors in north Greenland and at old glacier fronts, and is not for "
+             "navigation",
+     .hint = "Check the coast there on a nautical chart"},
     {.code = "gshhg-damaged",
      .rank = Rank::caution,
      .text = "{file} {fault}",

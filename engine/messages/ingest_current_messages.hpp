@@ -74,8 +74,9 @@ inline constexpr auto ingest_current_kinds = std::to_array<Kind>({
      .slots = {{{"levels", 30}}}},
     {.code = "current-above-first-level",
      .rank = Rank::caution,
-     .text = "the currents begin at a depth of {depth} m. Above this depth the same current is used, but the "
-             "water near the surface may run faster or in another direction",
+     .text = "the currents begin at a depth of {depth} m. Above this depth the same current is used, but "
+             "the water near the surface may run faster or in another direction",
+     .hint = "Ingest currents that begin at the surface if you have them",
      .slots = {{{"depth", "5"}}}},
 
     // Speeds.
@@ -195,17 +196,20 @@ inline constexpr auto ingest_current_kinds = std::to_array<Kind>({
      .rank = Rank::caution,
      .text = "{variables} are currents at a depth of {depth} m, as the file says. Below this depth the "
              "current is unknown",
+     .hint = "Ingest currents of more depths if the vehicle dives deeper",
      .slots = {{{"variables", "\"uo\" and \"vo\""}, {"depth", "15"}}}},
     {.code = "current-of-the-surface",
      .rank = Rank::caution,
-     .text = "{variables} are currents of the surface alone and were stored at depth 0. A plan with deeper "
-             "dives uses them at all depths",
+     .text = "{variables} are currents of the surface alone and were stored at depth 0. A plan with "
+             "deeper dives uses them at all depths, where the true current may be weaker",
+     .hint = "Ingest currents of more depths if you have them",
      .slots = {{{"variables", "\"uo\" and \"vo\""}}}},
     {.code = "current-of-the-column",
      .rank = Rank::caution,
      .text = "{variables} are means over the whole water column or a part of it. They were stored as the "
              "same at every depth, but near the surface the true current may be much stronger or run in "
              "another direction",
+     .hint = "Ingest currents with depths if you have them",
      .slots = {{{"variables", "\"uo\" and \"vo\""}}}},
     {.code = "current-without-depth",
      .rank = Rank::caution,
@@ -280,8 +284,9 @@ inline constexpr auto ingest_current_kinds = std::to_array<Kind>({
      .slots = {{{"first", "u"}, {"second", "v"}, {"level", "lev"}}}},
     {.code = "wind-without-height",
      .rank = Rank::caution,
-     .text = "the file does not state the height of the wind \"{first}\" and \"{second}\". It counts as the "
-             "wind 10 m above the sea",
+     .text = "the file does not state the height of the wind \"{first}\" and \"{second}\". It counts as "
+             "the wind 10 m above the sea",
+     .hint = "Check its height with the producer",
      .slots = {{{"first", "u"}, {"second", "v"}}}},
 });
 

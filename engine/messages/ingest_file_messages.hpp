@@ -13,6 +13,7 @@ inline constexpr auto ingest_file_kinds = std::to_array<Kind>({
     {.code = "more-faults",
      .rank = Rank::caution,
      .text = "the file has {more} more {more:fault|faults}, not listed here",
+     .hint = "Correct the listed faults first",
      .slots = {{{"more", 12}}}},
     {.code = "dataset-id-taken",
      .rank = Rank::caution,

@@ -141,8 +141,8 @@ inline constexpr auto ingest_hdf5_kinds = std::to_array<Kind>({
      .slots = {{{"depth", "10"}}}},
     {.code = "depth-from-chart-datum",
      .rank = Rank::note,
-     .text = "the depth of the currents, {depth} m, counts from the chart datum. It was read as a depth "
-             "below the surface, which moves up and down with the tide",
+     .text = "the depth of the currents, {depth} m, counts from the chart datum. It was read as the "
+             "depth below the surface, which is wrong by the height of the tide",
      .slots = {{{"depth", "4.5"}}}},
 });
 

@@ -119,8 +119,9 @@ inline constexpr auto ingest_ice_kinds = std::to_array<Kind>({
      .slots = {{{"variable", "siconc"}, {"unit", "%"}, {"range", "0 to 255"}}}},
     {.code = "concentration-taken-as-shares",
      .rank = Rank::caution,
-     .text = "the concentration \"{variable}\" states the unit \"{unit}\", but its greatest valid value is "
-             "1. It was read as shares of 1",
+     .text = "the concentration \"{variable}\" states the unit \"{unit}\", but its greatest valid value "
+             "is 1. It was read as shares of 1",
+     .hint = "Check the ice on the map",
      .slots = {{{"variable", "siconc"}, {"unit", "%"}}}},
     {.code = "concentration-like-shares",
      .rank = Rank::caution,
@@ -130,7 +131,9 @@ inline constexpr auto ingest_ice_kinds = std::to_array<Kind>({
      .slots = {{{"variable", "siconc"}, {"unit", "%"}, {"greatest", "0.98"}}}},
     {.code = "concentration-without-unit",
      .rank = Rank::note,
-     .text = "the concentration \"{variable}\" states no unit. It runs from {range} and was read as {unit}",
+     .text = "the concentration \"{variable}\" states no unit. It runs from {range} and was read as "
+             "{unit}",
+     .hint = "Check the ice on the map",
      .slots = {{{"variable", "siconc"}, {"range", "0 to 98"}, {"unit", "percent"}}}},
     {.code = "concentration-unit-unclear",
      .rank = Rank::caution,
@@ -152,6 +155,7 @@ inline constexpr auto ingest_ice_kinds = std::to_array<Kind>({
     {.code = "thickness-without-unit",
      .rank = Rank::note,
      .text = "the thickness \"{variable}\" states no unit and was read as metres",
+     .hint = "Check the values",
      .slots = {{{"variable", "sithick"}}}},
     {.code = "thickness-off-scale",
      .rank = Rank::caution,

@@ -19,8 +19,9 @@ inline constexpr auto ingest_iceberg_kinds = std::to_array<Kind>({
      .slots = {{{"more", 12}}}},
     {.code = "iceberg-columns-not-of-ice-patrol",
      .rank = Rank::caution,
-     .text = "the columns are not those of the International Ice Patrol (ICE-YEAR, BERG_NUMBER, DATE, TIME, "
-             "LATITUDE, LONGITUDE, METHOD, SIZE, SHAPE)"},
+     .text = "the columns are not those of the International Ice Patrol (ICE-YEAR, BERG_NUMBER, DATE, "
+             "TIME, LATITUDE, LONGITUDE, METHOD, SIZE, SHAPE)",
+     .hint = "Correct the first line of the table"},
     {.code = "iceberg-columns-missing",
      .rank = Rank::caution,
      .text = "the columns do not name an iceberg, its position and the time of its sighting",

@@ -65,6 +65,7 @@ inline constexpr auto ingest_netcdf_kinds = std::to_array<Kind>({
     {.code = "axis-without-unit",
      .rank = Rank::note,
      .text = "the {what} \"{axis}\" states no unit and was read as metres",
+     .hint = "Check that this is right",
      .slots = {{{"what", "depth axis"}, {"axis", "depth"}}}},
     {.code = "depths-impossible",
      .rank = Rank::caution,
@@ -81,15 +82,17 @@ inline constexpr auto ingest_netcdf_kinds = std::to_array<Kind>({
     {.code = "times-rounded",
      .rank = Rank::caution,
      .text = "the times are stored with too few digits and may be wrong by {seconds} s",
+     .hint = "Ask the producer for times with more digits",
      .slots = {{{"seconds", "600"}}}},
     {.code = "julian-calendar",
      .rank = Rank::note,
-     .text = "the file states its times in the Julian calendar. Their dates were read as dates of today's "
-             "calendar, without a shift of 13 days, because producers mean them so"},
+     .text = "the file states its times in the Julian calendar, but producers mean the dates of today's "
+             "calendar. The dates were read as such, without a shift of 13 days"},
     {.code = "model-calendar",
      .rank = Rank::caution,
-     .text = "the file states its times in a model's own calendar (\"{calendar}\"). The dates were kept, but "
-             "tides and weather are not those of the real days",
+     .text = "the file states its times in a model's own calendar (\"{calendar}\"). The dates were kept, "
+             "but tides and weather at these dates are not the real ones",
+     .hint = "Do not plan a real mission with these data",
      .slots = {{{"calendar", "360_day"}}}},
     {.code = "projected-axis-without-length",
      .rank = Rank::caution,

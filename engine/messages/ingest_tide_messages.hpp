@@ -137,6 +137,7 @@ inline constexpr auto ingest_tide_kinds = std::to_array<Kind>({
     {.code = "station-constituents-left-out",
      .rank = Rank::caution,
      .text = "these constituents are not known and were left out: {constituents} (together {metres} m)",
+     .hint = "Check their names",
      .slots = {{{"constituents", "XX7"}, {"metres", "0.02"}}}},
     {.code = "station-without-constituents",
      .rank = Rank::caution,
@@ -195,7 +196,8 @@ inline constexpr auto ingest_tide_kinds = std::to_array<Kind>({
      .slots = {{{"line", "M2 - -"}}}},
     {.code = "phases-taken-as-greenwich",
      .rank = Rank::note,
-     .text = "the phases were read as degrees behind Greenwich, because the file does not say otherwise"},
+     .text = "the phases were read as degrees behind Greenwich, because the file does not say otherwise",
+     .hint = "If they count from local time, convert them and ingest the file again"},
     {.code = "extract-row-short",
      .rank = Rank::caution,
      .text = "the line \"{line}\" has {fields} fields, not {wanted}, so the file seems to be cut short",
@@ -231,8 +233,8 @@ inline constexpr auto ingest_tide_kinds = std::to_array<Kind>({
      .slots = {{{"currents", 2626}, {"differences", 4453}, {"incomplete", 0}}}},
     {.code = "tcd-constituents-left-out",
      .rank = Rank::caution,
-     .text = "these constituents are not known or have another speed here, and were left out: "
-             "{constituents}. The largest has an amplitude of {metres} m, at {station}",
+     .text = "these constituents are not known, or have another speed in this program, and were left "
+             "out: {constituents}. The largest has an amplitude of {metres} m, at {station}",
      .slots = {{{"constituents", "SA-IOS"}, {"metres", "0.02"}, {"station", "Victoria"}}}},
 });
 

@@ -74,8 +74,9 @@ inline constexpr auto ingest_track_kinds = std::to_array<Kind>({
      .slots = {{{"currents", 3}}}},
     {.code = "currents-with-one-component",
      .rank = Rank::caution,
-     .text = "the currents \"{first}\" and \"{second}\" were left out, because both say that they are the "
-             "same component. A wrong guess would turn them",
+     .text = "the currents \"{first}\" and \"{second}\" were left out, because both say that they are "
+             "the same component. A wrong guess would turn them",
+     .hint = "Ask the producer",
      .slots = {{{"first", "u"}, {"second", "v"}}}},
     {.code = "currents-not-of-dives",
      .rank = Rank::note,
@@ -89,24 +90,29 @@ inline constexpr auto ingest_track_kinds = std::to_array<Kind>({
      .slots = {{{"variable", "u"}, {"source", "m_final_water_vx"}}}},
     {.code = "track-currents-without-time",
      .rank = Rank::note,
-     .text = "depth-averaged currents without a time were left out"},
+     .text = "depth-averaged currents without a time were left out",
+     .hint = "Add their times and ingest the file again to keep them"},
     {.code = "currents-without-unit",
      .rank = Rank::note,
      .text = "the depth-averaged current \"{variable}\" states no unit, so it may be m/s or cm/s. The "
              "currents were left out",
+     .hint = "Add the unit and ingest the file again",
      .slots = {{{"variable", "u"}}}},
     {.code = "currents-with-unknown-unit",
      .rank = Rank::note,
-     .text = "the depth-averaged current \"{variable}\" has the unit \"{unit}\", which is not a known speed. "
-             "The currents were left out",
+     .text = "the depth-averaged current \"{variable}\" has the unit \"{unit}\", which is not a known "
+             "speed. The currents were left out",
+     .hint = "Correct the unit and ingest the file again",
      .slots = {{{"variable", "u"}, {"unit", "furlong"}}}},
     {.code = "track-depth-without-unit",
      .rank = Rank::note,
      .text = "the depth \"{variable}\" states no known unit of length and was left out",
+     .hint = "Add the unit metre and ingest the file again to keep it",
      .slots = {{{"variable", "depth"}}}},
     {.code = "track-pressure-without-unit",
      .rank = Rank::note,
      .text = "the pressure \"{variable}\" states no known unit of pressure and was left out",
+     .hint = "Add the unit dbar and ingest the file again to keep it",
      .slots = {{{"variable", "pressure"}}}},
     {.code = "currents-on-several-dimensions",
      .rank = Rank::caution,
@@ -150,9 +156,9 @@ inline constexpr auto ingest_track_kinds = std::to_array<Kind>({
      .hint = "Copy it from the basestation again"},
     {.code = "seaglider-current-of-log",
      .rank = Rank::note,
-     .text = "the current of a dive is the vehicle's own estimate ($CURRENT in its log), as the direction "
-             "towards which it flows from true north. The NetCDF file of the dive has the better estimate of "
-             "the basestation"},
+     .text = "the current of a dive is the vehicle's own estimate ($CURRENT in its log). The NetCDF file "
+             "of the dive has the better estimate of the basestation",
+     .hint = "Give the NetCDF file if you have it"},
     {.code = "seaglider-current-bad",
      .rank = Rank::note,
      .text = "the depth-averaged current of a dive was left out, because the basestation calls it bad or "

@@ -8,8 +8,9 @@ namespace floeplan::messages {
 inline constexpr auto ingest_velocity_kinds = std::to_array<Kind>({
     {.code = "speed-without-unit",
      .rank = Rank::note,
-     .text =
-         "the variable \"{variable}\" states no unit. It was read as m/s, which fits the size of its values",
+     .text = "the variable \"{variable}\" states no unit. It was read as m/s, which fits the size of its "
+             "values",
+     .hint = "Check the currents on the map",
      .slots = {{{"variable", "uo"}}}},
     {.code = "speed-unit-unknown",
      .rank = Rank::caution,
@@ -27,8 +28,9 @@ inline constexpr auto ingest_velocity_kinds = std::to_array<Kind>({
      .hint = "For a plan, add the tide from a dataset of tides"},
     {.code = "geostrophic-currents",
      .rank = Rank::caution,
-     .text = "these are geostrophic currents, computed from the sea level. They include no tide and no wind "
-             "drift, and hold only near the surface"},
+     .text = "these are geostrophic currents, computed from the sea level. They include no tide and no "
+             "wind drift, and hold only near the surface",
+     .hint = "Ingest currents of an ocean model if you have them"},
     {.code = "part-of-the-current",
      .rank = Rank::caution,
      .text = "{variables} hold {content}, {why}. A plan with them ignores the rest of the current",
@@ -43,8 +45,9 @@ inline constexpr auto ingest_velocity_kinds = std::to_array<Kind>({
                 {"advice", "; name one component with --variable to store its pair instead"}}}},
     {.code = "climatology",
      .rank = Rank::caution,
-     .text = "{variables} are means over many years (a climatology). The current on any single day differs "
-             "from them",
+     .text = "{variables} are means over many years (a climatology). The current on any single day "
+             "differs from them",
+     .hint = "Ingest a forecast before you plan a real mission",
      .slots = {{{"variables", "\"uo\" and \"vo\""}}}},
     {.code = "taken-as-currents-by-name",
      .rank = Rank::caution,

@@ -134,9 +134,11 @@ inline constexpr auto mission_check_kinds = std::to_array<Kind>({
     {.code = "as_planned", .rank = Rank::note, .text = "the lists order the same route as the plan"},
     {.code = "waypoint_left_out",
      .text = "the lists leave out {waypoints} of the plan",
+     .hint = "export the plan again if the vehicle is to pass them",
      .slots = {{{"waypoints", "waypoints 3 to 5"}}}},
     {.code = "waypoint_not_in_plan",
-     .text = "this row is not a waypoint of the plan, or the plan has passed it already"},
+     .text = "this row is not a waypoint of the plan, or the plan has passed it already",
+     .hint = "export the plan again, or check this row"},
     {.code = "hold_missing",
      .text =
          "the plan holds for {wait_h:.1f} h at waypoint {waypoint}, until {until}, but no list holds there",
@@ -144,16 +146,21 @@ inline constexpr auto mission_check_kinds = std::to_array<Kind>({
      .slots = {{{"wait_h", 2.7}, {"waypoint", 4}, {"until", "2027-01-12T18:00:00Z"}}}},
     {.code = "hold_not_in_plan",
      .text = "the list holds station after waypoint {waypoint}, where the plan does not hold",
+     .hint = "export the plan again",
      .slots = {{{"waypoint", 4}}}},
     {.code = "hold_beyond_circle",
      .text = "the rows of the list lie up to {farthest_m:.0f} m from waypoint {waypoint}, but the plan "
              "checked only a circle of {circle_m:.0f} m",
+     .hint = "move the rows closer to the waypoint",
      .slots = {{{"farthest_m", 900.0}, {"waypoint", 4}, {"circle_m", 500.0}}}},
     {.code = "hold_of_other_time",
-     .text = "the comment of the list says that the hold ends at {ends}, but the plan holds until {until}",
+     .text = "the comment of the list says that the hold ends at {ends}, but the plan holds until "
+             "{until}",
+     .hint = "export the plan again",
      .slots = {{{"ends", "2027-01-12T18:00:00Z"}, {"until", "2027-01-12T20:00:00Z"}}}},
     {.code = "hold_of_other_length",
      .text = "the {legs} legs of the list take {takes}, but the plan holds for {wait_h:.1f} h",
+     .hint = "export the plan again",
      .slots = {{{"legs", 5}, {"takes", "about 1.2 h"}, {"wait_h", 2.7}}}},
 });
 

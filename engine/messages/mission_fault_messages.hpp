@@ -17,17 +17,20 @@ inline constexpr auto mission_fault_kinds = std::to_array<Kind>({
      .text = "must have one to eight lower-case letters, digits or underscores"},
     {.code = "mission-on-board",
      .text = "must not be {name}, because every vehicle has a mission of this name on board",
+     .hint = "choose another name",
      .slots = {{{"name", "stock"}}}},
     {.code = "wrong-firmware", .text = "must be a version from 7.0 to 11.99"},
     {.code = "firmware-without-ice",
-     .text = "must be 10.0 or later for work under ice, because older firmware has no response to ice"},
+     .text = "must be 10.0 or later for work under ice, because older firmware has no response to ice",
+     .hint = "update the firmware, or plan a route in open water"},
     {.code = "file-numbers-used-up",
      .text = "gives the files numbers up to {last}, but all must lie between 0 and 97 (98 and 99 belong to "
              "the firmware); choose a smaller number",
      .slots = {{{"last", 103}}}},
     {.code = "list-numbers-used-up",
-     .text = "is too large, because the plan takes {lists} {lists:list|lists} with rising numbers. All must "
-             "lie between 0 and 97 (98 and 99 belong to the firmware)",
+     .text = "is too large, because the plan takes {lists} {lists:list|lists} with rising numbers. All "
+             "must lie between 0 and 97 (98 and 99 belong to the firmware)",
+     .hint = "choose a smaller number",
      .slots = {{{"lists", 12}}}},
     {.code = "wrong-glider-name",
      .text = "must be the name of a folder: one to 40 letters, digits and underscores"},
@@ -41,7 +44,9 @@ inline constexpr auto mission_fault_kinds = std::to_array<Kind>({
     {.code = "no-such-row",
      .text = "must be -2, -1 or the number of a row of the first list, counted from 0"},
     {.code = "legs-of-another-program",
-     .text = "stands for a value that another program on board sets, so the rows to be flown are not known"},
+     .text = "stands for a value that another program on board sets, so the rows to be flown are not "
+             "known",
+     .hint = "give the number of rows itself"},
     {.code = "wrong-legs-to-run",
      .text = "must be from 1 to {most}, -1 (round and round without end) or -2 (once)",
      .slots = {{{"most", 1000}}}},
@@ -51,6 +56,7 @@ inline constexpr auto mission_fault_kinds = std::to_array<Kind>({
      .slots = {{{"rows", 8}}}},
     {.code = "too-many-waypoints-for-nmea",
      .text = "must hold at most {most} waypoints for NMEA",
+     .hint = "plan with fewer waypoints (--max-waypoints)",
      .slots = {{{"most", 999}}}},
 
     // Lists that end near ice and icebergs.
@@ -85,25 +91,32 @@ inline constexpr auto mission_fault_kinds = std::to_array<Kind>({
     {.code = "safe-place-near-pole", .text = "must be a place between 89 degrees south and 89 degrees north"},
     {.code = "safe-place-on-land",
      .text = "must be open water to which the vehicle can recover, but {place} is on land",
+     .hint = "choose another place",
      .slots = {{{"place", "69.2000 N 53.2000 W"}}}},
     {.code = "safe-place-too-shallow",
      .text = "must be open water to which the vehicle can recover, but {place} has only {bed_m:.0f} m of "
              "water, and the vehicle needs {needed_m:.0f} m",
+     .hint = "choose another place",
      .slots = {{{"place", "69.2000 N 53.2000 W"}, {"bed_m", 12.0}, {"needed_m", 20.0}}}},
     {.code = "safe-place-in-ice",
-     .text = "must be open water to which the vehicle can recover, but {place} has {ice_pct:.0f} % of ice "
-             "during the plan, and the vehicle surfaces in at most {most_pct:.0f} %",
+     .text = "must be open water to which the vehicle can recover, but {place} has {ice_pct:.0f} % of "
+             "ice during the plan, and the vehicle surfaces in at most {most_pct:.0f} %",
+     .hint = "choose another place",
      .slots = {{{"place", "69.2000 N 53.2000 W"}, {"ice_pct", 40.0}, {"most_pct", 10.0}}}},
     {.code = "safe-place-in-zone",
-     .text = "must be open water to which the vehicle can recover, but {place} lies in the no-go area {zone}",
+     .text = "must be open water to which the vehicle can recover, but {place} lies in the no-go area "
+             "{zone}",
+     .hint = "choose another place",
      .slots = {{{"place", "69.2000 N 53.2000 W"}, {"zone", "Harbour"}}}},
     {.code = "safe-place-at-iceberg",
-     .text = "must be open water to which the vehicle can recover, but iceberg {iceberg} was last seen at "
-             "{place}",
+     .text = "must be open water to which the vehicle can recover, but iceberg {iceberg} was last seen "
+             "at {place}",
+     .hint = "choose another place",
      .slots = {{{"place", "69.2000 N 53.2000 W"}, {"iceberg", "B-17"}}}},
     {.code = "safe-place-too-far",
-     .text = "must be open water to which the vehicle can recover, but {place} is {away_km:.0f} km from the "
-             "plan, farther than the rest of the battery carries the vehicle",
+     .text = "must be open water to which the vehicle can recover, but {place} is {away_km:.0f} km from "
+             "the plan, farther than the rest of the battery carries the vehicle",
+     .hint = "choose a nearer place",
      .slots = {{{"place", "69.2000 N 53.2000 W"}, {"away_km", 240.0}}}},
     {.code = "wrong-iceberg-depth", .text = "must be more than 0 m and less than the dive depth"},
     {.code = "iceberg-depth-too-small",
@@ -112,8 +125,9 @@ inline constexpr auto mission_fault_kinds = std::to_array<Kind>({
 
     // The yo.
     {.code = "no-room-for-yo",
-     .text = "leaves the yo no room. It dives only to {dive_m:.0f} m, but its upper turn must be at least at "
-             "{turn}",
+     .text = "leaves the yo no room. It dives only to {dive_m:.0f} m, but its upper turn must be at "
+             "least at {turn}",
+     .hint = "plan again with deeper dives (--dive-depth)",
      .slots = {{{"dive_m", 80.0}, {"turn", "75 m because of ice or icebergs"}}}},
     {.code = "water-too-shallow-for-yo",
      .text = "lead over water of only {bed_m:.0f} m at {place}, before waypoint {waypoint}. The mission has "
@@ -149,10 +163,12 @@ inline constexpr auto mission_fault_kinds = std::to_array<Kind>({
     {.code = "too-deep-for-seaglider", .text = "must be at most 1100 m, because no Seaglider dives deeper"},
     {.code = "dives-of-wrong-length",
      .text = "must give dives of 5 to 2880 minutes, not of {dive_min:.0f} minutes",
+     .hint = "choose another dive depth or vertical speed",
      .slots = {{{"dive_min", 4000.0}}}},
     {.code = "seaglider-below-ice",
-     .text = "must not be that of a Seaglider, because the plan passes below ice or icebergs and a Seaglider "
-             "surfaces after every dive"},
+     .text = "must not be that of a Seaglider, because the plan passes below ice or icebergs and a "
+             "Seaglider surfaces after every dive",
+     .hint = "choose another vehicle, or plan a route in open water"},
     {.code = "science-band-refused",
      .text = "{finding}",
      .slots = {{{"finding", "sensors must be given, one digit for each sensor"}}}},

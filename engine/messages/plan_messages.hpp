@@ -100,11 +100,11 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
                 {"error_km", 2.3}}}},
     {.code = "longer-below-ice-without-leads",
      .rank = Rank::danger,
-     .text = "the vehicle could miss the leads that are narrower than its position error. It is then "
-             "{sure_h:.0f} h without a place to surface, not {longest_h:.0f} h: no fix, no contact, no "
-             "ascent in an "
-             "emergency",
-     .hint = "Limit that time (--max-time-without-surfacing), or keep away from the ice",
+     .text = "the vehicle could miss the leads that are narrower than its position error. Without them "
+             "it has no place to surface for {sure_h:.0f} h, not for {longest_h:.0f} h. During this time "
+             "it has no fix and no contact, and it cannot surface in an emergency",
+     .hint = "Limit this time (--max-time-without-surfacing), or lead the route away from the ice "
+             "(--via)",
      .slots = {{{"sure_h", 71.0}, {"longest_h", 17.0}}}},
     // A danger: beyond the pilot's own limit, and an error as large as expected is enough.
     {.code = "leads-may-be-missed",
@@ -124,8 +124,8 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
      .slots = {{{"near", 6}, {"waypoint", 3}, {"ice_km", 1.2}, {"error_km", 2.3}}}},
     {.code = "surfaces-more-often",
      .rank = Rank::note,
-     .text = "this is not the fastest route, because that route has waypoints without an escape route. This "
-             "route passes more places to surface"},
+     .text = "the fastest route has waypoints without an escape route. This route takes longer, but it "
+             "passes more places to surface and has an escape route from every waypoint"},
 
     // Icebergs.
     {.code = "sightings-too-old-at-departure",
@@ -135,6 +135,15 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
          "{ignored:its last sighting is|their last sightings are} too old. {ignored:The iceberg|Each} may "
          "still be near the route, and the plan {ignored:does not avoid it|avoids none of them}",
      .hint = "Depart earlier, ingest newer sightings, or raise the maximum sighting age (--max-sighting-age)",
+     .slots = {{{"ignored", 2}, {"departure", "2027-01-12T06:00:00Z"}, {"names", "B-17, B-18"}}}},
+    // No request may ask for sightings as old as these.
+    {.code = "sightings-too-old-for-any-plan-then",
+     .rank = Rank::danger,
+     .text =
+         "{ignored} {ignored:iceberg was|icebergs were} ignored ({names}). At the departure, {departure}, "
+         "{ignored:its last sighting is|their last sightings are} too old. {ignored:The iceberg|Each} may "
+         "still be near the route, and the plan {ignored:does not avoid it|avoids none of them}",
+     .hint = "Depart earlier, or ingest newer sightings",
      .slots = {{{"ignored", 2}, {"departure", "2027-01-12T06:00:00Z"}, {"names", "B-17, B-18"}}}},
     {.code = "drift-unknown-near-route",
      .rank = Rank::caution,
@@ -152,16 +161,18 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
     // Requested, and safe if flown as planned. The pilot must know which yo to send.
     {.code = "passes-under-iceberg",
      .rank = Rank::caution,
-     .text = "the plan passes under iceberg {iceberg} from {from} to {until}. During this time the vehicle "
-             "must not surface, and the upper turn must be at {turn_m:.0f} m or deeper",
+     .text = "the plan passes under iceberg {iceberg} from {from} to {until}. During this time the "
+             "vehicle must not surface, and the upper turn must be at {turn_m:.0f} m or deeper",
+     .hint = "Set the upper turn of the vehicle to this depth for this time",
      .slots = {{{"iceberg", "B-17"},
                 {"from", "2027-01-12T18:00:00Z"},
                 {"until", "2027-01-12T19:00:00Z"},
                 {"turn_m", 60.0}}}},
     {.code = "currents-of-shallower-turns",
      .rank = Rank::caution,
-     .text = "below icebergs the upper turn is as deep as {turn_m:.0f} m. The plan has the energy of these "
-             "dives, but the currents of dives with an upper turn at {planned_turn_m:.0f} m",
+     .text = "below icebergs the vehicle turns at up to {turn_m:.0f} m. The plan counts the energy of "
+             "these deeper dives, but its times are those of dives with an upper turn at "
+             "{planned_turn_m:.0f} m. The vehicle may arrive earlier or later than planned",
      .hint = "To see the difference, plan with the deeper upper turn (--climb-to {turn_m:.0f})",
      .slots = {{{"turn_m", 60.0}, {"planned_turn_m", 10.0}}}},
 
@@ -169,13 +180,16 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
     {.code = "currents-of-nearest-water",
      .rank = Rank::caution,
      .text = "on {share_pct:.0f} % of the route the current model has land, because its coast is coarser "
-             "than the true coast. There the plan uses the current of the nearest water in the model",
+             "than the true coast. There the plan uses the current of the nearest water in the model, "
+             "and the true current may differ",
+     .hint = "Ingest a current model with finer steps, or lead the route farther from the coast (--via)",
      .slots = {{{"share_pct", 4.0}}}},
     {.code = "dives-below-currents",
      .rank = Rank::caution,
-     .text = "on {unknown_km:.1f} km of the route the dives go deeper than the current model. At worst they "
-             "go to {dive_m:.0f} m, where the currents end at {known_m:.0f} m. Below the model the plan uses "
-             "the mean of the currents above",
+     .text = "on {unknown_km:.1f} km of the route the dives go deeper than the current model. At worst "
+             "they go to {dive_m:.0f} m, where the currents end at {known_m:.0f} m. Below the model the "
+             "plan uses the mean of the currents above, and the true current may differ",
+     .hint = "Ingest currents that reach deeper, or dive less deep (--dive-depth)",
      .slots = {{{"unknown_km", 12.4}, {"dive_m", 200.0}, {"known_m", 60.0}}}},
     {.code = "passes-close-to-land",
      .rank = Rank::caution,
@@ -196,13 +210,14 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
                 {"most_pct", 98.2}}}},
     {.code = "several-grids-tried",
      .rank = Rank::caution,
-     .text = "some currents in the area are as fast as the vehicle, so small differences close or open a "
-             "route. This plan is the best of the plans on several grids",
-     .hint = "Another grid spacing (--spacing) or a via point (--via) may give a better plan"},
+     .text = "some currents in the area are as fast as the vehicle, so a small change of the search grid "
+             "can open or close a route. Several grids were tried, and this plan is the best of their "
+             "plans",
+     .hint = "A smaller grid spacing (--spacing) or a via point (--via) may give a better plan"},
     {.code = "several-grids-agree",
      .rank = Rank::note,
-     .text = "some currents in the area are as fast as the vehicle, but the plans on several grids differ by "
-             "less than {agreement_pct:.0f} %. This plan is the best of them",
+     .text = "some currents in the area are as fast as the vehicle, so several grids were tried. Their "
+             "plans differ by less than {agreement_pct:.0f} %, and this plan is the best of them",
      .slots = {{{"agreement_pct", 1.0}}}},
     {.code = "alternative",
      .rank = Rank::note,
@@ -239,21 +254,24 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
     // Uncertain currents.
     {.code = "closed-in-members",
      .rank = Rank::caution,
-     .text = "in {closed} of {members} members of the ensemble of currents, the vehicle does not reach the "
-             "goal on this route. No other route that was compared reaches it in more members",
+     .text = "in {closed} of {members} members of the ensemble of currents, the vehicle does not reach "
+             "the goal on this route. No other route that was compared reaches the goal in more members",
+     .hint = "Depart at another time, or raise the speed (--speed)",
      .slots = {{{"closed", 2}, {"members", 12}}}},
     {.code = "closed-members-left-out-of-mean",
      .rank = Rank::caution,
-     .text = "in {closed} of {members} members of the ensemble of currents, the vehicle does not reach the "
-             "goal on this route. No other route that was compared reaches it in more members. The mean "
-             "leaves these members out",
+     .text = "in {closed} of {members} members of the ensemble of currents, the vehicle does not reach "
+             "the goal on this route. No other route that was compared reaches the goal in more members. "
+             "The mean counts only the other members",
+     .hint = "Depart at another time, or raise the speed (--speed)",
      .slots = {{{"closed", 2}, {"members", 12}}}},
     {.code = "share-of-members-not-met",
      .rank = Rank::caution,
-     .text = "in {closed} of {members} members of the ensemble of currents, the vehicle does not reach the "
-             "goal on this route. No other route that was compared reaches it in more members. The request "
-             "asks for arrival in {share_pct:.0f} % of the members, so this plan is the best in the mean of "
-             "those that arrive",
+     .text = "in {closed} of {members} members of the ensemble of currents, the vehicle does not reach "
+             "the goal on this route. No other route that was compared reaches the goal in more members. "
+             "The request asks for arrival in {share_pct:.0f} % of the members. This plan has the best "
+             "mean among the members that arrive",
+     .hint = "Depart at another time, or raise the speed (--speed)",
      .slots = {{{"closed", 2}, {"members", 12}, {"share_pct", 90.0}}}},
     {.code = "named-members-not-used",
      .rank = Rank::caution,
@@ -270,6 +288,7 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
      .rank = Rank::caution,
      .text = "in the first of the currents, the plan arrives at {arrival}, after the wanted arrival. The "
              "{what_counts} of all members, {counted}, is in time",
+     .hint = "To be in time in the first currents, too, depart earlier or raise the speed (--speed)",
      .slots = {{{"arrival", "2027-01-13T18:10:00Z"},
                 {"what_counts", "mean"},
                 {"counted", "2027-01-13T17:50:00Z"}}}},
@@ -337,15 +356,20 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
     // The search for the route.
     {.code = "search-cut-short",
      .rank = Rank::note,
-     .text = "the search stopped at the limit of its work, so a better route may exist"},
+     .text = "the search stopped at the limit of its work. The plan is valid, but a better route may "
+             "exist",
+     .hint = "Choose a larger grid spacing (--spacing), with which the search ends earlier"},
     {.code = "search-cut-short-near-the-best",
      .rank = Rank::note,
-     .text = "the search stopped at the limit of its work, so a better route may exist. Before refinement, "
-             "that route would be faster by at most {gain_min:.0f} min ({gain_pct:.1f} %)",
+     .text = "the search stopped at the limit of its work. The plan is valid, but on the same grid a "
+             "route may exist that is faster by up to {gain_min:.0f} min ({gain_pct:.1f} %)",
+     .hint = "Choose a larger grid spacing (--spacing), with which the search ends earlier",
      .slots = {{{"gain_min", 4.0}, {"gain_pct", 0.3}}}},
     {.code = "cost-search-cut-short",
      .rank = Rank::note,
-     .text = "the search stopped at the limit of its work, so a plan of lower cost may exist"},
+     .text = "the search stopped at the limit of its work. The plan is valid, but a plan of lower cost "
+             "may exist",
+     .hint = "Choose a larger grid spacing (--spacing), with which the search ends earlier"},
     {.code = "route-not-refined",
      .rank = Rank::note,
      .text = "the route keeps to the lines of the search grid. A route off these lines would be faster, but "
@@ -371,8 +395,9 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
      .hint = "Another grid spacing (--spacing) may show larger isochrones"},
     {.code = "areas-beyond-battery",
      .rank = Rank::caution,
-     .text = "the battery has {usable_mj:.2f} MJ above its reserve, which last at most {lasts_h:.1f} h. The "
-             "isochrones of longer times are beyond the battery",
+     .text = "the battery has {usable_mj:.2f} MJ above its reserve, which last at most {lasts_h:.1f} h. "
+             "The vehicle cannot reach the isochrones of longer times",
+     .hint = "Start with a fuller battery, or ask only for shorter times",
      .slots = {{{"usable_mj", 1.0}, {"lasts_h", 96.0}}}},
     {.code = "areas-cut-short",
      .rank = Rank::note,

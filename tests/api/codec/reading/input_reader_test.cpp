@@ -39,7 +39,7 @@ TEST(InputReader, NamesTheKnownKeysOnceAndEveryUnknownOne) {
       errors_json(reader.violations()),
       json::parse(R"([{"pointer": "/colour", "detail": "is not a known key. The known keys are depth, speed",
                              "code": "unknown-member", "values": {"known": "depth, speed"}},
-                            {"pointer": "/shape", "detail": "is not a known key either",
+                            {"pointer": "/shape", "detail": "is not a known key either; check its name",
                              "code": "another-unknown-member", "values": {}}])"));
 }
 

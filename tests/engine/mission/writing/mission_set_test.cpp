@@ -283,7 +283,7 @@ TEST(MissionSet, WithSafePlacesAndNoIceOnItsRouteSurfacesAsInOpenWater) {
   }
   EXPECT_THAT(names_of(*with), Contains("goto_l98.ma"));
   EXPECT_THAT(messages::sentences(with->messages),
-              Contains(HasSubstr("below no ice: the mission surfaces at every waypoint and every 3.0 h")));
+              Contains(HasSubstr("below no ice, so the mission surfaces at every waypoint and every 3.0 h")));
   EXPECT_THAT(messages::sentences(with->messages), Not(Contains(HasSubstr("not in the files"))));
   EXPECT_THAT(messages::sentences(without_data->messages), Contains(HasSubstr("without data on sea ice")));
   EXPECT_THAT(names_of(*with_gaps), Not(Contains("surfac13.ma"))) << "nothing is known of the ice somewhere";
@@ -385,7 +385,7 @@ TEST(MissionSet, SaysWhereThereIsNowhereToSurface) {
 
   ASSERT_TRUE(set.has_value());
   EXPECT_THAT(messages::sentences(set->messages),
-              Contains("The vehicle has no place to surface on the legs to these waypoints: 1."));
+              Contains(HasSubstr("the vehicle has no place to surface: 1. ")));
   EXPECT_THAT(messages::sentences(set->messages), Contains(HasSubstr("legs to these waypoints: 1 to 2")));
 }
 

@@ -48,7 +48,7 @@ TEST(MissionOrders, AreThoseOfTheExportedFiles) {
   EXPECT_TRUE(orders->surfaces[1].ends_mission);
   EXPECT_EQ(orders->overdepth, core::Metres{200.0});
   ASSERT_EQ(orders->notes.size(), 1U);
-  EXPECT_THAT(orders->notes.front(), HasSubstr("sample"));
+  EXPECT_THAT(orders->notes.front(), HasSubstr("does not switch sensors on and off"));
 }
 
 TEST(MissionOrders, FlyToTheLastWaypointOfTheExportedFiles) {
@@ -98,7 +98,8 @@ TEST(MissionOrders, RefuseFilesForADeeperVehicle) {
   const auto orders = read_orders(documents_of(files), *vehicle::find_profile("slocum-g3-200"));
 
   ASSERT_FALSE(orders.has_value());
-  EXPECT_THAT(orders.error(), Contains(Field(&core::Violation::rule, HasSubstr("another vehicle"))));
+  EXPECT_THAT(orders.error(),
+              Contains(Field(&core::Violation::rule, HasSubstr("the files were written"))));
 }
 
 TEST(MissionOrders, RefuseEveryFaultAtOnce) {
