@@ -5,12 +5,12 @@
 #include <iostream>
 #include <memory>
 
+#include "engine/core/near_word.hpp"
 #include "engine/messages/command_messages.hpp"
 #include "server/manual/command_list.hpp"
 #include "server/manual/completion.hpp"
 #include "server/manual/guide_text.hpp"
 #include "server/manual/man_page.hpp"
-#include "server/manual/near_words.hpp"
 #include "server/manual/plain_text.hpp"
 
 namespace floeplan::manual {
@@ -32,7 +32,7 @@ std::string no_topic(const CLI::App& app, const std::string& topic) {
   for (const GuideText& page : guide_texts()) words.emplace_back(page.name);
   const std::vector<Command> commands = commands_of(app);
   words.insert(words.end(), commands.front().commands.begin(), commands.front().commands.end());
-  const std::string meant = nearest(topic, words);
+  const std::string meant = core::near_word(topic, words);
   return meant.empty() ? messages::command_text<"unknown-topic">(topic)
                        : messages::command_text<"misspelt-topic">(topic, meant);
 }

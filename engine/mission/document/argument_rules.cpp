@@ -6,7 +6,10 @@
 #include <cstdint>
 #include <initializer_list>
 #include <map>
+#include <string>
+#include <vector>
 
+#include "engine/core/near_word.hpp"
 #include "engine/messages/mission_file_messages.hpp"
 #include "engine/mission/document/behavior_table.hpp"
 #include "engine/mission/document/thruster_yo.hpp"
@@ -29,8 +32,13 @@ void check_unknown(const Behavior& behavior, const BehaviorRule& rule, const Arg
                                                                        behavior.name));
     return;
   }
+  std::vector<std::string> known;
+  for (const ArgumentRule& one : rule.arguments) known.emplace_back(one.name);
+  const std::string meant = core::near_word(argument.name, known);
   report(messages, argument.line,
-         messages::mission_file_message<"unknown_b_arg">(argument.name, behavior.name));
+         meant.empty()
+             ? messages::mission_file_message<"unknown_b_arg">(argument.name, behavior.name)
+             : messages::mission_file_message<"misspelt_b_arg">(argument.name, behavior.name, meant));
 }
 
 void check_known(const Argument& argument, const ArgumentRule& rule, Messages& messages) {

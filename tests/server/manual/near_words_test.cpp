@@ -2,10 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include <random>
-
 #include "tests/server/manual/small_program.hpp"
-#include "tests/support/property.hpp"
 
 namespace floeplan::manual::near_words_test {
 namespace {
@@ -26,30 +23,6 @@ std::optional<std::string> refused(std::vector<std::string> words) {
     return unknown_word(program.app);
   }
   return "nothing was refused";
-}
-
-TEST(Nearest, IsTheWordWithTheFewestSlips) {
-  EXPECT_EQ(nearest("paln", commands), "plan");
-  EXPECT_EQ(nearest("recheck", commands), "recheck");
-  EXPECT_EQ(nearest("datasts", commands), "datasets");
-  EXPECT_EQ(nearest("simulate", commands), "");
-  EXPECT_EQ(nearest("", commands), "");
-}
-
-/// Law: one slip in a word of at least four letters is understood.
-TEST(Nearest, UnderstandsOneSlip) {
-  support::for_each_seed(300, [](std::mt19937_64& rng) {
-    const std::string& word = commands[rng() % commands.size()];
-    std::string slipped = word;
-    const std::size_t at = rng() % (word.size() - 1);
-    switch (rng() % 4) {
-      case 0: slipped.erase(at, 1); break;
-      case 1: slipped.insert(at, 1, 'x'); break;
-      case 2: slipped[at] = 'x'; break;
-      default: std::swap(slipped[at], slipped[at + 1]);
-    }
-    EXPECT_EQ(nearest(slipped, commands), word) << slipped;
-  });
 }
 
 TEST(UnknownWord, IsNamedWithWhatWasMeant) {

@@ -159,6 +159,15 @@ TEST(ReadDocument, WarnsOfArgumentsOfAnotherBehaviorAndNotesUnknownOnes) {
   EXPECT_THAT(yo.messages, has("unit_differs", Severity::note, 5));
 }
 
+TEST(ReadDocument, AsksBackWhereAnArgumentIsMisspelt) {
+  const Document yo =
+      read_document("yo10.ma", "behavior_name=yo\n<start:b_arg>\nb_arg: d_target_depht(m) 5\n<end:b_arg>\n");
+
+  EXPECT_EQ(yo.verdict(), Verdict::warn);
+  ASSERT_THAT(yo.messages, has("misspelt_b_arg", Severity::warning, 3));
+  EXPECT_THAT(yo.messages.front().text, HasSubstr("did you mean d_target_depth?"));
+}
+
 TEST(ReadDocument, WarnsOfAFileNamedAfterAnotherBehavior) {
   const std::string yo = "behavior_name=yo\n<start:b_arg>\n<end:b_arg>\n";
   EXPECT_THAT(read_document("SURFAC10.MA", yo).messages,
