@@ -107,7 +107,7 @@ const Table<EnvironmentQuery>& sighting_fields() {
           {.field = {.name = "max_sighting_age_days",
                      .kind = Kind::number,
                      .unit = "days",
-                     .most = 30.0,
+                     .most = ocean::largest_sighting_age.count() / day_s,
                      .usual = EnvironmentQuery{}.max_sighting_age.count() / day_s,
                      .flag = "max-sighting-age",
                      .help = "Ignore icebergs last seen longer than this before the departure",

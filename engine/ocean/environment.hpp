@@ -1,8 +1,10 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "engine/core/units.hpp"
 #include "engine/geo/polygon.hpp"
 #include "engine/messages/message.hpp"
 #include "engine/ocean/bed/bathymetry.hpp"
@@ -20,6 +22,8 @@ namespace floeplan::ocean {
 struct Environment {
   std::shared_ptr<const CurrentGrid> currents{};  // null: still water
   bool steady_currents{false};                    // `currents` has a single time that counts for every time
+  /// First time of the stored currents; `currents` may hold only their later part. Empty: unknown, or steady.
+  std::optional<core::UtcTime> currents_begin{};
   std::vector<std::shared_ptr<const CurrentGrid>> members{};  // of an ensemble, `currents` first; or empty
   /// The same currents over a wider area, from which icebergs may drift in, and down to the depth of their
   /// keels. Null:

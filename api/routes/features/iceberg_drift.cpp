@@ -76,7 +76,8 @@ Response show_drift(const Context& context, const Request& request, const PathPa
   const auto area = reader.bbox();
   const auto as_of = reader.time("as_of");
   const auto until = reader.time("until");
-  const auto max_age_days = reader.number("max_sighting_age_days", 0.0, 30.0);
+  const auto max_age_days = reader.number("max_sighting_age_days", 0.0,
+                                          ocean::largest_sighting_age.count() / 86'400.0);
   const auto departure = reader.time("departure");
   if (!reader.violations().empty()) return invalid(request, reader.violations());
   if (const auto faults = faults_of(*area, *as_of, *until); !faults.empty()) return invalid(request, faults);

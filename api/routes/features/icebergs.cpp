@@ -64,7 +64,7 @@ std::optional<std::string> filter_of(const FeatureQuery& query, const std::strin
 }
 
 /// Largest age in a query, the same as for plans.
-constexpr double oldest_days = 30.0;
+constexpr double oldest_days = ocean::largest_sighting_age.count() / 86'400.0;
 
 /// Ids of datasets, separated by commas in the query.
 std::vector<repository::DatasetId> datasets_of(const FeatureQuery& query) {

@@ -8,6 +8,9 @@ namespace floeplan::ocean {
 /// about 0.75 km per hour (C-CORE hindcast of 340 displacements, 2023-24), 50 km in this time.
 inline constexpr core::Seconds max_sighting_age{3.0 * 86400.0};
 
+/// The largest age that a request may ask for. Our choice: after a month a drift forecast says nothing.
+inline constexpr core::Seconds largest_sighting_age{30.0 * 86400.0};
+
 /// Icebergs that are left out are reported as a danger if their sighting is less than this outside the
 /// limits, before or after; older ones if nothing newer is known. Our choice: daily lists name a lasting berg
 /// again and again.

@@ -9,6 +9,7 @@
 #include "engine/core/violation_list.hpp"
 #include "engine/geo/geodesic.hpp"
 #include "engine/messages/plan_messages.hpp"
+#include "engine/ocean/ice/sighting_age.hpp"
 #include "engine/planning/cost/met_currents.hpp"
 #include "engine/planning/cost/surfacing.hpp"
 #include "engine/planning/publish/land_distance.hpp"
@@ -100,13 +101,19 @@ std::optional<core::Metres> bottom_clearance(const cost::Sea& sea, const ocean::
 /// Names the icebergs whose sightings are too old for this departure, though not for an earlier one.
 void warn_of_old_sightings(Plan& plan, const ocean::Environment& environment, const PlanRequest& request) {
   std::vector<std::string> names;
+  bool can_count = false;  // with a larger age of sightings
   for (const ocean::Iceberg& iceberg : environment.icebergs) {
-    if (ocean::is_too_old(iceberg, request.depart))
-      names.push_back(iceberg.id.empty() ? "one without a name" : iceberg.id);
+    if (!ocean::is_too_old(iceberg, request.depart)) continue;
+    names.push_back(iceberg.id.empty() ? "one without a name" : iceberg.id);
+    can_count = can_count ||
+                request.depart < ocean::too_old_from(iceberg.observed, ocean::largest_sighting_age);
   }
   if (names.empty()) return;
-  plan.messages.push_back(messages::plan_message<"sightings-too-old-at-departure">(
-      names.size(), request.depart, core::shortened_list(names)));
+  const std::string listed = core::shortened_list(names);
+  const core::UtcTime then = request.depart;
+  plan.messages.push_back(
+      can_count ? messages::plan_message<"sightings-too-old-at-departure">(names.size(), then, listed)
+                : messages::plan_message<"sightings-too-old-for-any-plan-then">(names.size(), then, listed));
 }
 
 /// Adds the energy of planned surfacings, unless the vehicle's energy model already includes regular

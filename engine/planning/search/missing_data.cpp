@@ -9,6 +9,7 @@
 #include "engine/geo/bounding_box.hpp"
 #include "engine/geo/geodesic.hpp"
 #include "engine/messages/refusal_messages.hpp"
+#include "engine/ocean/currents/nearest_water.hpp"
 
 namespace floeplan::planning::search {
 namespace {
@@ -29,7 +30,23 @@ std::string where_from(const ocean::HorizontalGrid& grid, geo::LonLat place, con
 }
 
 bool currents_reach(const ocean::Environment& environment, geo::LonLat place) {
-  return !environment.currents || environment.currents->samples().grid.locate(place);
+  return !environment.currents || ocean::has_water_around(*environment.currents, place);
+}
+
+/// Where a place without a current lies from the water of the currents. Names the area of the grid only if
+/// the water reaches about as far: the water of a bent grid or a mesh fills its box only in part.
+std::string where_from(const ocean::CurrentGrid& currents, geo::LonLat place) {
+  const ocean::HorizontalGrid& grid = currents.samples().grid;
+  const auto water = ocean::nearest_water(currents, place);
+  if (!water) return where_from(grid, place, "currents");
+  const geo::GeodesicLine line = geo::geodesic_between(*water, place);
+  const geo::LonLat edge = geo::nearest_place(grid.bounds(), place);
+  const core::Metres to_box = geo::geodesic_between(edge, place).length;
+  if (!geo::contains(grid.bounds(), place) && line.length < to_box + grid.spacing() + grid.spacing())
+    return where_from(grid, place, "currents");
+  return messages::phrase<"away-from-water-of-data">(line.length.value / 1000.0,
+                                                     geo::compass_point(line.course_at_start), "currents",
+                                                     water->lon_deg, water->lat_deg);
 }
 
 bool depth_is_known(const ocean::Environment& environment, geo::LonLat place) {
@@ -51,7 +68,7 @@ void add_stop(Infeasible& why, const ocean::Environment& environment, geo::LonLa
               const std::string& name) {
   if (currents_reach(environment, place)) return;
   why.besides.push_back(messages::refusal<"stop-outside-currents">(
-                            name, where_from(environment.currents->samples().grid, place, "currents"))
+                            name, where_from(*environment.currents, place))
                             .at(place));
 }
 
@@ -67,11 +84,15 @@ messages::Message explain_missing_depth(const ocean::Environment& environment, g
   const std::string from_depths = where_from(environment.bathymetry->grid(), where, "bathymetry");
   if (currents_reach(environment, where)) return messages::refusal<"place-outside-data">(place, from_depths);
   return messages::refusal<"place-outside-depths-and-currents">(
-      place, from_depths, where_from(environment.currents->samples().grid, where, "currents"));
+      place, from_depths, where_from(*environment.currents, where));
 }
 
 Infeasible with_missing_data(Infeasible why, const ocean::Environment& environment,
                              const PlanRequest& request) {
+  constexpr core::Seconds worth_telling{3600.0};
+  if (why.binding == Constraint::data_period && environment.currents_begin &&
+      *environment.currents_begin <= request.depart - worth_telling)
+    why.besides.push_back(messages::refusal<"earlier-departure-possible">(*environment.currents_begin));
   if (why.binding != Constraint::data_area || why.at_a_stop) return why;
   const std::size_t before = why.besides.size();
   add_stop(why, environment, request.from, "the start");
@@ -81,8 +102,13 @@ Infeasible with_missing_data(Infeasible why, const ocean::Environment& environme
 
   if (end_around(why.at, [&](geo::LonLat place) { return depth_is_known(environment, place); }))
     add_end(why, environment.bathymetry->grid(), "depths");
-  if (end_around(why.at, [&](geo::LonLat place) { return currents_reach(environment, place); }))
-    add_end(why, environment.currents->samples().grid, "currents");
+  if (!environment.currents) return why;
+  const ocean::HorizontalGrid& grid = environment.currents->samples().grid;
+  if (end_around(why.at, [&](geo::LonLat place) { return grid.locate(place).has_value(); }))
+    add_end(why, grid, "currents");
+  if (why.besides.size() == before &&
+      end_around(why.at, [&](geo::LonLat place) { return currents_reach(environment, place); }))
+    why.besides.push_back(messages::refusal<"water-ends-on-the-way">("currents"));
   return why;
 }
 

@@ -19,7 +19,8 @@ namespace floeplan::planning::search {
                                                       geo::LonLat where, const std::string& place);
 
 /// Adds to a refusal for missing data which stops lie outside the currents or, if all lie inside, which data
-/// end at the place that the search reached. Returns other refusals unchanged.
+/// end at the place that the search reached. If the currents end before the route, adds that the vehicle may
+/// depart earlier, if the stored currents begin early enough. Returns other refusals unchanged.
 [[nodiscard]] Infeasible with_missing_data(Infeasible why, const ocean::Environment& environment,
                                            const PlanRequest& request);
 

@@ -37,8 +37,16 @@ void tell_of_old_sightings(EnvironmentDraft& draft, const KnownIcebergs& known) 
     lists.push_back(title(dataset));
   }
   if (dropped.empty()) return;
-  draft.tell(messages::data_message<"sightings-too-old">(dropped.size(), all, core::shortened_list(lists),
-                                                         known.oldest, core::shortened_list(dropped)));
+  const core::UtcTime oldest = ocean::oldest_that_counts(sightings_as_of(draft.query), draft.query.depart,
+                                                         ocean::largest_sighting_age);
+  const bool can_count = std::ranges::any_of(
+      known.too_old, [&](const StoredSighting& sighting) { return sighting.iceberg.observed >= oldest; });
+  const std::string in = core::shortened_list(lists);
+  const std::string names = core::shortened_list(dropped);
+  draft.tell(can_count
+                 ? messages::data_message<"sightings-too-old">(dropped.size(), all, in, known.oldest, names)
+                 : messages::data_message<"sightings-too-old-for-any-plan">(dropped.size(), all, in,
+                                                                            known.oldest, names));
 }
 
 /// Warns of bergs whose first sighting is later than the time up to which sightings count: they may have been

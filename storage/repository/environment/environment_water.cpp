@@ -1,10 +1,14 @@
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <memory>
+#include <sstream>
 #include <utility>
 
 #include "engine/core/shown_text.hpp"
+#include "engine/geo/geodesic.hpp"
 #include "engine/messages/data_messages.hpp"
+#include "engine/ocean/currents/nearest_water.hpp"
 #include "storage/repository/environment/environment_draft.hpp"
 #include "storage/repository/environment/environment_parts.hpp"
 
@@ -87,6 +91,38 @@ void refuse_period(EnvironmentDraft& draft, const std::string& periods, bool beg
       messages::fault<"outside-the-currents">("/" + input, time, periods, at_end ? "Stay" : "Depart"));
 }
 
+/// Where the nearest water of the currents lies: "120 km south of the middle of this area, at -12.0000,
+/// 70.0000". For currents whose box reaches the area, although their water does not: a bent grid or a mesh
+/// fills its box only in part. Empty if there is no water within 1000 km.
+std::optional<std::string> where_its_water_is(const EnvironmentDraft& draft, const Dataset& dataset) {
+  const geo::BoundingBox area = named_area(draft.query);
+  const double middle_lon = area.west_deg + geo::width_deg(area) / 2.0;
+  const geo::LonLat middle{middle_lon > 180.0 ? middle_lon - 360.0 : middle_lon,
+                           (area.south_deg + area.north_deg) / 2.0};
+  auto first = period_of(dataset);
+  if (first) first->to = first->from;
+  for (const double reach_m : {100'000.0, 300'000.0, 1'000'000.0}) {
+    const auto currents =
+        read_currents(draft, dataset, {geo::grown(area, core::Metres{reach_m}), std::nullopt}, first);
+    const auto water = currents ? ocean::nearest_water(*currents, middle) : std::nullopt;
+    if (!water) continue;
+    const geo::GeodesicLine line = geo::geodesic_between(middle, *water);
+    std::ostringstream text;
+    text << std::lround(line.length.value / 1000.0) << " km " << geo::compass_point(line.course_at_start)
+         << " of the middle of this area, at " << std::fixed << std::setprecision(4) << water->lon_deg << ", "
+         << water->lat_deg;
+    return text.str();
+  }
+  return std::nullopt;
+}
+
+/// Refuses named currents without a node in the area.
+void refuse_currents_elsewhere(EnvironmentDraft& draft, const Dataset& dataset) {
+  if (const auto where = where_its_water_is(draft, dataset))
+    return draft.refuse<"water-elsewhere">(DatasetKind::currents, title(dataset), *where);
+  draft.refuse<"no-node-near">(DatasetKind::currents, title(dataset));
+}
+
 /// Several currents are members of an ensemble. All of them must be usable; the plan is made with the first.
 void add_ensemble(EnvironmentDraft& draft, const std::vector<Dataset>& found) {
   const EnvironmentQuery& query = draft.query;
@@ -100,10 +136,14 @@ void add_ensemble(EnvironmentDraft& draft, const std::vector<Dataset>& found) {
       refuse_period(draft, coverage_text(dataset, *period), covers_begin(*period, query));
       continue;
     }
-    if (period) period->from = drift_start(draft);
+    if (period) {
+      auto& begin = draft.environment.currents_begin;
+      begin = begin ? std::max(*begin, period->from) : period->from;
+      period->from = drift_start(draft);
+    }
     const auto read = [&](const CurrentsBox& box) { return read_currents(draft, dataset, box, period); };
     if (!adopt_currents(draft, dataset, found.size(), read)) {
-      draft.refuse<"no-node-near">(DatasetKind::currents, title(dataset));
+      refuse_currents_elsewhere(draft, dataset);
       continue;
     }
     draft.cite(dataset);
@@ -129,8 +169,11 @@ void refuse_other_waters(EnvironmentDraft& draft) {
   if (draft.query.currents.how != DatasetChoice::How::newest || draft.query.tides.wanted()) return;
   std::vector<std::string> elsewhere;
   for (const Dataset& dataset : draft.stored) {
-    if (dataset.kind == DatasetKind::currents)
-      elsewhere.push_back(title(dataset) + " covers " + geo::bounds_text(dataset.bounds));
+    if (dataset.kind != DatasetKind::currents) continue;
+    const auto where = geo::intersects(dataset.bounds, draft.query.area) ? where_its_water_is(draft, dataset)
+                                                                      : std::nullopt;
+    elsewhere.push_back(title(dataset) + (where ? " has its nearest water " + *where
+                                                : " covers " + geo::bounds_text(dataset.bounds)));
   }
   if (elsewhere.empty()) return;
   draft.refuse<"no-currents-reach">(DatasetKind::currents, geo::bounds_text(named_area(draft.query)),
@@ -162,11 +205,12 @@ void add_currents(EnvironmentDraft& draft) {
                            : read_joined(draft, parts, box, drift_start(draft));
     };
     if (!adopt_currents(draft, dataset, 1, read)) continue;
+    if (period) draft.environment.currents_begin = period->from;
     return parts.empty() ? draft.cite(dataset) : cite_joined(draft, parts);
   }
 
   if (!periods_missed.empty()) return refuse_period(draft, periods_missed, begins);
-  if (named && !found.empty()) draft.refuse<"no-node-near">(DatasetKind::currents, title(found.front()));
+  if (named && !found.empty()) refuse_currents_elsewhere(draft, found.front());
   if (!named) refuse_other_waters(draft);
   if (!named)
     tell_of_gap(draft, query.currents, messages::data_message<"currents-left-out">(),

@@ -1,6 +1,6 @@
 #include "engine/planning/plan_route.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <algorithm>
 #include <cmath>
@@ -399,6 +399,41 @@ TEST(PlanRoute, SaysThatTheDataEndBeforeTheRoute) {
   EXPECT_NE(found.error().explanation().find("end at"), std::string::npos) << found.error().explanation();
 }
 
+TEST(PlanRoute, AdvisesAnEarlierDepartureOnlyIfTheDataBeginBefore) {
+  ocean::Environment environment{.currents = currents_from(tide, 12)};
+  const PlanRequest request = eastward_request();
+  const auto advice = testing::HasSubstr("may also depart earlier");
+
+  environment.currents_begin = request.depart;
+  const auto at_the_first_hour = plan(environment, request);
+  environment.currents_begin = request.depart - core::Seconds{6.0 * 3600.0};
+  const auto six_hours_later = plan(environment, request);
+
+  ASSERT_FALSE(at_the_first_hour.has_value() || six_hours_later.has_value());
+  EXPECT_THAT(at_the_first_hour.error().explanation(), testing::Not(advice));
+  EXPECT_THAT(six_hours_later.error().explanation(), advice);
+}
+
+TEST(PlanRoute, AdvisesALargerAgeOfSightingsOnlyIfThatHelps) {
+  const PlanRequest request = eastward_request();
+  ocean::Iceberg old;
+  old.id = "B-17";
+  old.place = {-50.5, 70.4};
+  old.too_old_from = request.depart;
+  const auto advised = [&](double age_days) {
+    old.observed = request.depart - core::Seconds{age_days * 86'400.0};
+    const auto made = plan({.icebergs = {old}}, request);
+    const auto told = messages::sentences(made.value().messages);
+    EXPECT_THAT(told, testing::Contains(testing::HasSubstr("1 iceberg was ignored (B-17)")));
+    return std::ranges::any_of(told, [](const std::string& text) {
+      return text.find("--max-sighting-age") != std::string::npos;
+    });
+  };
+
+  EXPECT_TRUE(advised(5.0));
+  EXPECT_FALSE(advised(40.0));
+}
+
 /// The data of these tests end at 50 W; a degree of longitude has 40 km there.
 PlanRequest request_beyond_the_data() {
   PlanRequest request = eastward_request();
@@ -440,6 +475,34 @@ TEST(PlanRoute, NamesTheCurrentsThatAGoalLiesOutside) {
             std::string::npos)
       << found.error().explanation();
   EXPECT_EQ(found.error().suggestion(), "Move the goal, or ingest currents that cover it");
+}
+
+/// Water of the model only in the west of the grid, as on a bent grid, which fills its box in part.
+geo::VelocityEn still_water_in_the_west(geo::LonLat place, double) {
+  return place.lon_deg < -52.95 ? geo::VelocityEn{{0.0}, {0.0}} : geo::VelocityEn{{NAN}, {NAN}};
+}
+
+TEST(PlanRoute, TellsTheNearestWaterOfTheCurrentsToAGoalWithinTheirBox) {
+  const auto found = plan({.currents = currents_from(still_water_in_the_west, 72)}, eastward_request());
+
+  ASSERT_FALSE(found.has_value());
+  EXPECT_THAT(
+      found.error().explanation(),
+      testing::HasSubstr("east of the nearest water of the stored currents, which is at -53.0000, 69.0000"));
+  EXPECT_THAT(found.error().explanation(), testing::Not(testing::HasSubstr("in this area")));
+  EXPECT_EQ(found.error().suggestion(), "Move the goal, or ingest currents that cover it");
+}
+
+TEST(PlanRoute, SaysThatTheWaterOfTheModelEndsOnTheWay) {
+  const auto gap = [](geo::LonLat place, double) {
+    return place.lon_deg > -53.3 && place.lon_deg < -52.7 ? geo::VelocityEn{{NAN}, {NAN}}
+                                                          : geo::VelocityEn{{0.0}, {0.0}};
+  };
+
+  const auto found = plan({.currents = currents_from(gap, 72)}, eastward_request());
+
+  ASSERT_FALSE(found.has_value());
+  EXPECT_THAT(found.error().explanation(), testing::HasSubstr("the water of the model ends there"));
 }
 
 TEST(PlanRoute, SaysThatTheDepthsEndOnTheWay) {

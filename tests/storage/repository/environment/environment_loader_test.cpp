@@ -289,7 +289,8 @@ TEST_F(EnvironmentLoaderTest, HoldsTheOneStepSteady) {
   const ocean::Environment environment = load();
 
   EXPECT_TRUE(environment.steady_currents);
-  EXPECT_THAT(messages::sentences(environment.messages), Contains(HasSubstr("as at 2027-01-14T08:00:00Z")));
+  EXPECT_THAT(messages::sentences(environment.messages),
+              Contains(HasSubstr("the currents of 2027-01-14T08:00:00Z at all times")));
 }
 
 TEST_F(EnvironmentLoaderTest, WarnsOfSteadyCurrentsOfAnotherTime) {
@@ -481,6 +482,19 @@ TEST_F(EnvironmentLoaderTest, LeavesOutIcebergsOlderThanAsked) {
   EXPECT_EQ(load().icebergs.size(), 2U);
   query_.max_sighting_age = 1 * day;
   EXPECT_EQ(load().icebergs.size(), 0U);
+}
+
+TEST_F(EnvironmentLoaderTest, AdvisesALargerAgeOfSightingsOnlyIfThatHelps) {
+  const auto advice = HasSubstr("raise the maximum sighting age");
+  add_icebergs("bergs", {sample_berg("a", {-52.0, 69.0}, sample_time - 20 * day)});
+  EXPECT_THAT(messages::sentences(load().messages), Contains(advice));
+
+  db_ = support::empty_store();
+  add_icebergs("bergs", {sample_berg("a", {-52.0, 69.0}, sample_time - 40 * day)});
+  query_.max_sighting_age = ocean::largest_sighting_age;
+  const auto told = messages::sentences(load().messages);
+  EXPECT_THAT(told, Contains(HasSubstr("Ingest newer sightings. Ignored: a")));
+  EXPECT_THAT(told, Not(Contains(advice)));
 }
 
 TEST_F(EnvironmentLoaderTest, KnowsWhereADriftingBergWasSeenBefore) {
@@ -790,7 +804,7 @@ TEST_F(EnvironmentLoaderTest, HoldsTheIceForThreeDaysBeyondItsPeriodAndSaysSo) {
   ASSERT_NE(environment.ice, nullptr);
   EXPECT_EQ(environment.ice->samples().times_s.size(), 1U);
   EXPECT_THAT(messages::sentences(environment.messages),
-              Contains(AllOf(HasSubstr("at 2027-01-12T"), HasSubstr("is used throughout"))));
+              Contains(AllOf(HasSubstr("at 2027-01-12T"), HasSubstr("one state of the sea ice"))));
   EXPECT_THAT(messages::sentences(environment.messages), Contains(HasSubstr("no thickness")));
 }
 
@@ -806,7 +820,8 @@ TEST_F(EnvironmentLoaderTest, TakesIceOfOtherDatasetsWhereOrWhenTheNewestTellsNo
   EXPECT_THAT(cited(environment), testing::IsSupersetOf({"later", "full"}));
   EXPECT_THAT(messages::sentences(environment.messages),
               Contains(HasSubstr("sea ice comes from several datasets")));
-  EXPECT_THAT(messages::sentences(environment.messages), Not(Contains(HasSubstr("is used throughout"))));
+  EXPECT_THAT(messages::sentences(environment.messages),
+              Not(Contains(HasSubstr("one state of the sea ice"))));
 
   add_ice("newest", sample_time - 2.0 * day, 40);
   environment = load();
@@ -857,7 +872,8 @@ TEST_F(EnvironmentLoaderTest, TakesAChartThatWasFilledInLaterBesideTheDataOfTheT
 
   EXPECT_EQ(load().ice->samples().times_s.size(), 1U);
   EXPECT_EQ(load().further_ice.size(), 1U);
-  EXPECT_THAT(messages::sentences(load().messages), Not(Contains(HasSubstr("is used throughout"))));
+  EXPECT_THAT(messages::sentences(load().messages),
+              Not(Contains(HasSubstr("one state of the sea ice"))));
 }
 
 TEST_F(EnvironmentLoaderTest, TakesOlderIceInALongGapOfTheNewest) {
@@ -902,7 +918,7 @@ TEST_F(EnvironmentLoaderTest, TakesAreasOfFastIceOnlyWhereThereIsNoOtherIce) {
   const ocean::Environment both = load();
   EXPECT_NEAR(both.ice->at({-52.0, 69.0}, sample_time)->concentration, 0.1, 1e-6);
   EXPECT_THAT(messages::sentences(both.messages),
-              Contains(HasSubstr("nothing about the water outside them")));
+              Contains(HasSubstr("does not say whether the water outside")));
 
   DatasetRepository{db_}.remove({"ice"});
   EXPECT_EQ(load().ice->at({-52.0, 69.0}, sample_time)->concentration, 1.0);
@@ -935,7 +951,7 @@ TEST_F(EnvironmentLoaderTest, TakesNoIceOfAnotherTime) {
       Contains(AllOf(HasSubstr("no stored sea ice covers the time of departure"), HasSubstr("open water"))));
   query_.ice = named({"ice"});
   EXPECT_THAT(violations(),
-              ElementsAre(AllOf(HasSubstr("/ice has no sea ice for"), HasSubstr("at most 3 days beyond"))));
+              ElementsAre(AllOf(HasSubstr("/ice has no sea ice for"), HasSubstr("3 days before and after"))));
 }
 
 ocean::Zone zone_of(const std::string& name, const geo::BoundingBox& box) {
