@@ -151,6 +151,8 @@ tl::expected<json, core::Violations> plan_route_document(sql::Connection& db, co
   if (progress) progress("loading data", 0.0);
   if (auto swapped = swapped_places(db, given_places(inputs.request), inputs.data); !swapped.empty())
     return tl::unexpected(std::move(swapped));
+  if (auto elsewhere = depths_elsewhere(db, inputs.data); !elsewhere.empty())
+    return tl::unexpected(std::move(elsewhere));
   const auto environment = repository::load_environment(db, inputs.data, reading(stop, kept));
   if (!environment) return tl::unexpected(environment.error());
 

@@ -23,6 +23,8 @@ tl::expected<nlohmann::json, core::Violations> reach_document(sql::Connection& d
   if (auto swapped = swapped_places(db, {{from ? "from" : "to", inputs.request.place}}, inputs.data);
       !swapped.empty())
     return tl::unexpected(std::move(swapped));
+  if (auto elsewhere = depths_elsewhere(db, inputs.data); !elsewhere.empty())
+    return tl::unexpected(std::move(elsewhere));
   const auto environment =
       repository::load_environment(db, inputs.data, {stop, kept != nullptr ? &kept->currents : nullptr});
   if (!environment) return tl::unexpected(environment.error());

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <vector>
 
+#include "engine/core/shown_text.hpp"
 #include "engine/geo/bounding_box.hpp"
 #include "engine/messages/fault.hpp"
 #include "storage/repository/datasets/dataset_repository.hpp"
@@ -38,6 +39,18 @@ core::Violations swapped_places(sql::Connection& db, const std::vector<GivenPlac
                                                              swapped.lat_deg));
   }
   return found;
+}
+
+core::Violations depths_elsewhere(sql::Connection& db, const repository::EnvironmentQuery& data) {
+  if (data.bathymetry.how != DatasetChoice::How::newest) return {};
+  std::vector<std::string> elsewhere;
+  for (const geo::BoundingBox& area : repository::DatasetRepository{db}.areas(DatasetKind::bathymetry)) {
+    if (geo::intersects(area, data.area)) return {};
+    elsewhere.push_back(geo::bounds_text(area));
+  }
+  if (elsewhere.empty()) return {};
+  return {messages::fault<"no-depths-reach">("/bathymetry", geo::bounds_text(repository::named_area(data)),
+                                             core::shortened_list(elsewhere))};
 }
 
 }  // namespace floeplan::service

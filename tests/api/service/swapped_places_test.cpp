@@ -20,12 +20,16 @@ constexpr geo::LonLat exchanged{69.2, -53.2};
 class SwappedPlaces : public testing::Test {
  protected:
   SwappedPlaces() {
+    add("currents-12345678", repository::DatasetKind::currents, "1234");
+  }
+
+  void add(const std::string& id, repository::DatasetKind kind, const std::string& sha256) {
     repository::Dataset dataset;
-    dataset.id = {"currents-12345678"};
-    dataset.kind = repository::DatasetKind::currents;
+    dataset.id = {id};
+    dataset.kind = kind;
     dataset.name = "bay";
     dataset.bounds = {-55.0, 68.0, -50.0, 70.0};
-    dataset.provenance.sha256 = "1234";
+    dataset.provenance.sha256 = sha256;
     repository::DatasetRepository{db_}.insert(dataset);
   }
 
@@ -47,6 +51,23 @@ TEST_F(SwappedPlaces, AreNamedWithTheExchangedCoordinates) {
 
 TEST_F(SwappedPlaces, AreNotThoseThatNoDataCoverEitherWay) {
   EXPECT_THAT(swapped_places(db_, {{"from", {10.0, 20.0}}}, query_), IsEmpty());
+}
+
+TEST_F(SwappedPlaces, AreRefusedBeyondAllDepthsUnlessNoDepthsAreStoredOrWanted) {
+  query_.area = {10.0, 60.0, 12.0, 61.0};
+  EXPECT_THAT(depths_elsewhere(db_, query_), IsEmpty()) << "no bathymetry is stored";
+
+  add("bathymetry-12345678", repository::DatasetKind::bathymetry, "5678");
+  const auto refused = depths_elsewhere(db_, query_);
+  ASSERT_THAT(refused, SizeIs(1));
+  EXPECT_EQ(refused[0].field, "/bathymetry");
+  EXPECT_THAT(refused[0].rule, HasSubstr("covers 55 W to 50 W, 68 N to 70 N"));
+
+  query_.bathymetry.how = repository::DatasetChoice::How::none;
+  EXPECT_THAT(depths_elsewhere(db_, query_), IsEmpty());
+  query_.bathymetry.how = repository::DatasetChoice::How::newest;
+  query_.area = {-50.5, 69.0, -45.0, 69.5};
+  EXPECT_THAT(depths_elsewhere(db_, query_), IsEmpty()) << "the planner judges the places themselves";
 }
 
 TEST_F(SwappedPlaces, AreNotLookedForWhereNoDataAreWanted) {
