@@ -87,11 +87,14 @@ bool name_icebergs(const DelimitedText& table, const BergColumns& columns) {
          columns.draft || columns.size;
 }
 
-/// Whether there are only an id and the columns of a sighting.
+/// A size whose column states no unit. It is not read, but the table may still be one of icebergs.
+bool is_size_without_unit(const std::string& column) { return column == "length" || column == "draft"; }
+
+/// Whether there are only an id, the columns of a sighting, and sizes without a unit.
 bool are_sightings_alone(const DelimitedText& table, const BergColumns& columns) {
   std::size_t known = 4 + std::size_t{columns.shape.has_value()} + std::size_t{columns.method.has_value()};
   for (std::size_t i = 0; i < table.columns().size(); ++i)
-    known += std::size_t{columns.position_errors.is_read(i)};
+    known += std::size_t{columns.position_errors.is_read(i) || is_size_without_unit(table.columns()[i])};
   return columns.id && table.columns()[*columns.id] == "id" && known == table.columns().size();
 }
 

@@ -274,6 +274,14 @@ TEST_F(OwnIcebergTable, TellsOfALengthWithoutAUnit) {
   EXPECT_THAT(words(report), HasSubstr("\"length\" was not read"));
 }
 
+TEST_F(OwnIcebergTable, NeedsNoStatedKindForALengthWithoutAUnitBesideAnId) {
+  const auto report =
+      ingest(write_file("bergs.csv", "id,lat,lon,time,length\nB1,69.1,-53.0,2026-11-21T12:00:00Z,120\n"));
+  ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+  EXPECT_FALSE(sightings().back().iceberg.length);
+  EXPECT_THAT(words(report), HasSubstr("\"length\" was not read"));
+}
+
 TEST_F(OwnIcebergTable, OfAShipsTrackOrOfAnUnknownUnitIsNotTakenForOne) {
   expect_refused(write_file("cables.csv", "id,lat,lon,time,length (cables)\nA1,69.1,-52.2,2026-11-22,2\n"),
                  "columns");
