@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,20 @@ std::string mark_of(const repository::Dataset& dataset, const std::vector<reposi
                               : better->id.value + " has the values at the file's own points");
 }
 
+std::string area_cell(const geo::BoundingBox& bounds) {
+  std::ostringstream cell;
+  cell << std::fixed << std::setprecision(2) << bounds.west_deg << ',' << bounds.south_deg << ','
+       << bounds.east_deg << ',' << bounds.north_deg;
+  return cell.str();
+}
+
+/// From the first to the last time; "-" for data without times.
+std::string period_cell(const repository::Dataset& dataset) {
+  if (!dataset.time_start) return "-";
+  const std::string from = core::iso8601(*dataset.time_start);
+  return dataset.time_end ? from + " to " + core::iso8601(*dataset.time_end) : from;
+}
+
 int list_datasets(const DatasetsFlags& flags, const Program& program) {
   auto db = open_existing_store(program);
   const auto datasets = repository::DatasetRepository{db}.list();
@@ -52,15 +67,14 @@ int list_datasets(const DatasetsFlags& flags, const Program& program) {
     std::cout << json{{"datasets", documents}}.dump(2) << '\n';
     return done;
   }
-  if (!datasets.empty())
-    std::cout << std::left << std::setw(22) << "id" << " west,south,east,north  period  name\n";
+  const auto line = [](const std::string& id, const std::string& area, const std::string& period,
+                       const std::string& name) {
+    std::cout << std::left << std::setw(22) << id << "  " << std::setw(28) << area << "  " << std::setw(44)
+              << period << "  " << name << '\n';
+  };
+  if (!datasets.empty()) line("id", "west,south,east,north", "period", "name");
   for (const auto& dataset : datasets) {
-    std::cout << std::left << std::setw(22) << dataset.id.value << ' ' << std::fixed << std::setprecision(2)
-              << dataset.bounds.west_deg << ',' << dataset.bounds.south_deg << ',' << dataset.bounds.east_deg
-              << ',' << dataset.bounds.north_deg;
-    if (dataset.time_start) std::cout << "  " << core::iso8601(*dataset.time_start);
-    if (dataset.time_end) std::cout << " to " << core::iso8601(*dataset.time_end);
-    std::cout << "  " << dataset.name << '\n';
+    line(dataset.id.value, area_cell(dataset.bounds), period_cell(dataset), dataset.name);
     if (const std::string mark = mark_of(dataset, datasets); !mark.empty()) std::cout << "  " << mark << '\n';
   }
   if (datasets.empty()) std::cout << "The store is empty: floeplan ingest FILE... reads data into it.\n";

@@ -131,8 +131,8 @@ std::string optimality_line(const json& plan) {
   if (plan.at("optimality_gap").is_null()) {
     return "optimality gap not known: " + plan.at("optimality_gap_reason").get<std::string>();
   }
-  return cell(plan.at("optimality_gap"), "%.2f", 100.0) +
-         " % slower than the best possible route in open water";
+  return "optimality gap " + cell(plan.at("optimality_gap"), "%.2f", 100.0) +
+         " %: by so much the plan is slower than the best possible route in open water";
 }
 
 /// Lines about the time and the depth below ice; none if there is no ice.
