@@ -38,7 +38,8 @@ bool currents_reach(const ocean::Environment& environment, geo::LonLat place) {
 std::string where_from(const ocean::CurrentGrid& currents, geo::LonLat place) {
   const ocean::HorizontalGrid& grid = currents.samples().grid;
   const auto water = ocean::nearest_water(currents, place);
-  if (!water) return where_from(grid, place, "currents");
+  if (!water)
+    return messages::phrase<"where-data-have-no-water">("currents", geo::bounds_text(grid.bounds()));
   const geo::GeodesicLine line = geo::geodesic_between(*water, place);
   const geo::LonLat edge = geo::nearest_place(grid.bounds(), place);
   const core::Metres to_box = geo::geodesic_between(edge, place).length;

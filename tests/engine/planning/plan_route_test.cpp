@@ -493,6 +493,16 @@ TEST(PlanRoute, TellsTheNearestWaterOfTheCurrentsToAGoalWithinTheirBox) {
   EXPECT_EQ(found.error().suggestion(), "Move the goal, or ingest currents that cover it");
 }
 
+TEST(PlanRoute, SaysThatTheCurrentsHaveNoWaterInTheSearchArea) {
+  const auto dry = [](geo::LonLat, double) { return geo::VelocityEn{{NAN}, {NAN}}; };
+
+  const auto found = plan({.currents = currents_from(dry, 72)}, eastward_request());
+
+  ASSERT_FALSE(found.has_value());
+  EXPECT_THAT(found.error().explanation(),
+              testing::HasSubstr("The goal lies where the stored currents have no water"));
+}
+
 TEST(PlanRoute, SaysThatTheWaterOfTheModelEndsOnTheWay) {
   const auto gap = [](geo::LonLat place, double) {
     return place.lon_deg > -53.3 && place.lon_deg < -52.7 ? geo::VelocityEn{{NAN}, {NAN}}
