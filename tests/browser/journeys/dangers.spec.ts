@@ -1,4 +1,4 @@
-import { expect, open, test } from '../support/page';
+import { expect, mapAtRest, open, pixelOf, test } from '../support/page';
 import { findPlaces } from '../support/places';
 
 test('a plan that ignores icebergs for their age says so as a danger, and is exported once that is confirmed', async ({ page, request }) => {
@@ -32,6 +32,18 @@ test('a plan that ignores icebergs for their age says so as a danger, and is exp
   const waiting = page.waitForEvent('download');
   await dialog.getByRole('link', { name: 'Mission files (.zip)' }).click();
   expect((await waiting).suggestedFilename()).toMatch(/\.zip$/);
+  await page.keyboard.press('Escape');
+
+  // Once for a plan: the dialog also gives way while a safe place is picked on the map.
+  await page.getByRole('button', { name: 'Export mission' }).click();
+  await dialog.getByLabel('Files for the vehicle').selectOption('full');
+  await dialog.getByRole('button', { name: 'Pick a safe place on the map' }).click();
+  await expect(dialog).toBeHidden();
+  await mapAtRest(page);
+  const { x, y } = await pixelOf(page, start);
+  await page.mouse.click(x, y);
+  await expect(dialog.getByLabel('Safe places under ice')).not.toHaveValue('');
+  await expect(dialog.getByLabel('I have read this; export all the same')).toBeChecked();
   await page.keyboard.press('Escape');
   await request.delete(`/collections/plans/items/${plan.plan_id}`);
 });

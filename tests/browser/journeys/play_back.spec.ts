@@ -11,7 +11,10 @@ test('the clock plays with the mouse, and the table marks the leg under way', as
   const first = Number(await slider.inputValue());
   await page.getByRole('button', { name: 'Play (Space)' }).click();
   await expect.poll(async () => Number(await slider.inputValue())).toBeGreaterThan(first + 3_600_000);
+  const spoken = page.getByRole('contentinfo', { name: 'Clock' }).getByRole('status');
+  await expect(spoken).toHaveAttribute('aria-live', 'off');
   await page.getByRole('button', { name: 'Pause (Space)' }).click();
+  await expect(spoken).not.toHaveAttribute('aria-live');
   const paused = Number(await slider.inputValue());
   const back = page.getByRole('button', { name: 'One hour back (,)' });
   await back.click(); // to the hour before, which the slider may show already: it shows tens of minutes

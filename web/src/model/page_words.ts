@@ -30,6 +30,9 @@ function labelOfPointer(pointer: string, outer: string, inner?: string): string 
   return formOf(inner ? `${outer}.${inner}` : outer).label || pointer;
 }
 
+/** The name of an input, which has two words or more, inside a sentence. */
+const nameOfInput = /\b[a-z]+(?:_[a-z0-9]+)+\b/g;
+
 /**
  * A sentence of the server in the terms of this page: “Longest hold” for --max-hold, and positions in the page's
  * notation.
@@ -41,4 +44,5 @@ export const inPageWords = (text: string): string =>
     .replace(placeOfFlag, (_, lon: string, lat: string) => formatPosition([Number(lon), Number(lat)], settings.value.coordinates))
     .replace(placeInText, (_, lon: string, lat: string) => formatPosition([Number(lon), Number(lat)], settings.value.coordinates))
     .replace(instant, (time) => shortTime(Date.parse(time)))
+    .replace(nameOfInput, (name) => (formOf(name).label ? `“${formOf(name).label}”` : name))
     .replace(/--[a-z]+(-[a-z]+)*/g, (flag) => (labelsOfFlags[flag] ? `“${labelsOfFlags[flag]}”` : flag));

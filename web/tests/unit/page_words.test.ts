@@ -1,6 +1,8 @@
 import { expect, it } from 'vitest';
 import { readFileSync } from 'node:fs';
 import { inWords } from '../../src/model/ingest_options';
+import { requestFields } from '../../src/contract/request_fields';
+import { formOf } from '../../src/model/fields';
 import { asSentence, inPageWords } from '../../src/model/page_words';
 
 it('flags of the command line become the fields of the page, whole ones only', () => {
@@ -13,6 +15,7 @@ it('flags of the command line become the fields of the page, whole ones only', (
   expect(inPageWords('/depart 2026-11-20T00:00:00Z is outside')).toBe('Departure 20 Nov 00:00Z is outside');
   expect(inPageWords('/under_ice/escape_plan must be true')).toBe('Escape route from every waypoint must be true');
   expect(inPageWords('/remarks must be short')).toBe('/remarks must be short');
+  expect(inPageWords('plan again with a climb_to_m of 22, as goto_l10.ma says')).toBe('plan again with a “Climb to” of 22, as goto_l10.ma says');
   expect(inPageWords('a well-known --thing -- and more')).toBe('a well-known --thing -- and more');
 });
 
@@ -25,6 +28,8 @@ it('turns every flag of the messages that reach the page into a field', () => {
   expect(reaching.length).toBeGreaterThan(500);
   const told = inWords(inPageWords(reaching.join(''))).replaceAll('--allow-weak-sandbox', ''); // of the server, for whoever runs it
   expect(told).not.toMatch(/--[a-z]/);
+  const named = Object.keys(requestFields).filter((name) => name.includes('_') && formOf(name).label);
+  expect(named.filter((name) => new RegExp(`\\b${name}\\b`).test(told))).toEqual([]);
 });
 
 it('makes what stands alone a sentence', () => {

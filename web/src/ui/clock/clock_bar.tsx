@@ -52,7 +52,7 @@ export function ClockBar(): VNode {
         </div>
       </div>
       {/* While it runs, each step would be spoken. */}
-      <output class="clock-now" aria-live={playing.value ? 'off' : 'polite'}>
+      <output class="clock-now" aria-live={playing.value ? 'off' : undefined}>
         <b>{shortTime(now_ms)}</b>
         <span>{sinceDeparture(now_ms, 'T+') || 'UTC'}</span>
       </output>

@@ -1,3 +1,4 @@
+import { signal } from '@preact/signals';
 import { useEffect, useState } from 'preact/hooks';
 import type { VNode } from 'preact';
 import { dangersIn, downloadAddress, faultsOf, mission, type ExportFormat } from '../../actions/client';
@@ -21,6 +22,12 @@ const others: [ExportFormat, string][] = [
   ['targets', 'Seaglider targets'], ['html', 'Brief (HTML)'], ['pdf', 'Brief (PDF)'],
 ];
 
+/**
+ * The plan with those of its dangers that the pilot has confirmed. The dialog gives way while a safe place is picked on
+ * the map, and does not ask for the same again.
+ */
+const confirmed = signal<string | undefined>(undefined);
+
 /** A preview of the mission files that the server would write, and the downloads. */
 export function ExportDialog(): VNode | null {
   const plan = selectedPlan.value;
@@ -35,7 +42,8 @@ function Export({ plan }: { plan: Plan }): VNode {
   const [preview, setPreview] = useState<MissionPreview | undefined>(undefined);
   const [faults, setFaults] = useState<string[]>([]);
   const [dangers, setDangers] = useState<string[]>([]);
-  const [accepted, setAccepted] = useState(false);
+  const asConfirmed = `${plan.plan_id} ${JSON.stringify(dangers)}`;
+  const accepted = dangers.length > 0 && confirmed.value === asConfirmed;
   const [file, setFile] = useState(0);
   const [refused, setRefused] = useState<{ title: string; texts: string[] }>({ title: '', texts: [] });
 
@@ -70,12 +78,12 @@ function Export({ plan }: { plan: Plan }): VNode {
       <div class="export-controls" onChange={askNow}>
         <Options options={options} faults={wish.faults} change={(part) => { exportOptions.value = { plan_id: plan.plan_id, options: { ...options, ...part } }; }} />
         <div class="downloads" role="group" aria-label="Downloads">
-          <Download plan={plan} format="zip" query={{ ...wish.query, ...wish.folder }} title="Mission files (.zip)" accepted={accepted} closed={closed || !valid} refuse={refuse} primary />
+          <Download plan={plan} format="zip" query={{ ...wish.query, ...wish.folder }} title="Mission files (.zip)" accepted={accepted} closed={closed || !valid || faults.length > 0} refuse={refuse} primary />
           {others.map(([format, title]) => <Download key={format} plan={plan} format={format} query={{}} title={title} accepted={accepted} closed={closed} refuse={refuse} />)}
         </div>
       </div>
       <Refusal title={`${refused.title}: no file is written`} faults={refused.texts} />
-      <Dangers dangers={dangers.map((text) => told.find((message) => message.text === text) ?? bareMessage('danger', text))} accepted={accepted} accept={setAccepted} />
+      <Dangers dangers={dangers.map((text) => told.find((message) => message.text === text) ?? bareMessage('danger', text))} accepted={accepted} accept={(now) => { confirmed.value = now ? asConfirmed : undefined; }} />
       <Messages of={{ messages: told.filter(({ text }) => !dangers.includes(text)), warnings: [] }} />
       <Refusal title="No mission files are written" faults={faults} />
       {preview && preview.files.length > 1 && (
