@@ -109,7 +109,7 @@ struct Choice {
   T value;
 };
 
-/// The same for a member with a few values, each with its word. Any other value of the member has no word.
+/// Binds a field to a member with a few values, each with its word. Any other value of the member has no word.
 template <class Values, class T, class Access>
 Bound<Values> worded(Field field, std::vector<Choice<T>> choices, Access access) {
   field.kind = Kind::word;

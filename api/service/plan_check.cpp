@@ -38,7 +38,7 @@ bool holds(const std::vector<DatasetRef>& datasets, const DatasetRef& wanted) {
   });
 }
 
-/// What happened to a dataset of the plan; empty if it is stored unchanged.
+/// The change of a dataset since the plan was made; empty if it is stored unchanged.
 std::optional<DataChange> fate_of(const DatasetRef& used, const repository::DatasetRepository& datasets) {
   const auto stored = datasets.find({used.id});
   if (!stored) return DataChange::removed;

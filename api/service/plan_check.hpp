@@ -11,7 +11,7 @@
 
 namespace floeplan::service {
 
-/// What happened to a dataset since a plan was made.
+/// Kinds of changes of a dataset since a plan was made.
 enum class DataChange {
   removed,     // it was used for the plan and is no longer stored
   replaced,    // its content has changed, as when features are reported by hand

@@ -70,8 +70,8 @@ std::optional<core::UtcTime> told_of(const Dataset& ice, core::UtcTime time) {
   return away <= ocean::longest_ice_hold ? std::optional{end} : std::nullopt;
 }
 
-/// As `choose`; but among datasets that cover place and time it prefers, as plans do, the first with the
-/// highest IceStanding, because a long gap of one dataset may be covered by another.
+/// Chooses the source of sea ice. Of the datasets that cover place and time it prefers, as plans do, the first
+/// with the highest IceStanding, because one dataset may fill a long gap of another.
 Source choose_ice(sql::Connection& db, const Sources& sources, const ProbeQuery& query) {
   Source source = choose(sources, DatasetKind::ice, query);
   if (sources.first_named(DatasetKind::ice)) return source;

@@ -122,7 +122,7 @@ tl::expected<simulation::MissionOrders, core::Violations> orders_of(
 }
 
 /// Continues below ice after the end of a list. A real vehicle surfaces at the end of a list to get the next
-/// one, which is not possible there. `orders` are those of the plan's own files.
+/// one, which is not possible there. `orders` come from the plan's own files.
 void fly_on_below_ice(simulation::MissionOrders& orders, const planning::Plan& plan) {
   if (!plan.surfacing) return;
   bool flies_on = false;

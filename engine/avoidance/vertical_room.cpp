@@ -83,8 +83,8 @@ void VerticalRoom::look_for_shoal(const Sounding& below) {
   shoal_ = edge;
 }
 
-/// Removes soundings of the bed that were wrong. If the altimeter hears nothing, the bed is far below; no
-/// slope then leads from there up to such a sounding, which was the foot of a berg.
+/// Removes wrong soundings of the bed. If the altimeter hears nothing, the bed is far below. A sounding so high
+/// that no slope leads up to it from there was the foot of a berg.
 void VerticalRoom::unlearn_bed() {
   const auto is_none = [&](const Sounding& bed) {
     return bed.depth_m < depth_m_ + heard_from_m - steepest * distance_m(bed.place, place_);

@@ -41,11 +41,11 @@ class VerticalRoom {
   void begin_ping(std::span<const Echo> ping);
   /// Whether the vehicle passes the source of the echo without going round it. It does so:
   /// - if the echo comes from below the saw-tooth;
-  /// - if it comes from a sea bed that a shallower saw-tooth passes over, which the vehicle reaches in time.
-  ///   A bed differs from a wall by soundings (the altimeter's and echoes from steeply below): it rises by at
-  ///   most 1 in 5 from the nearest;
-  /// - if it comes from the underside of an ice cover that a deeper saw-tooth passes under; it differs from a
-  ///   wall in the same way. Its first soundings are echoes from steeply above with nothing below them, and
+  /// - if it comes from a sea bed over which a shallower saw-tooth passes, and the vehicle can change to that
+  ///   saw-tooth in time. A bed rises by at most 1 in 5 from the nearest sounding (of the altimeter, or an echo
+  ///   from steeply below); a wall rises more steeply;
+  /// - if it comes from the underside of an ice cover under which a deeper saw-tooth passes. A cover is told from
+  ///   a wall in the same way. Its first soundings are echoes from steeply above with nothing below them, and
   ///   covers recognised from afar.
   /// A bed or cover that leaves no room must be gone round. One that does limits the depth from then on, once
   /// its echoes have confirmed each other.
@@ -55,9 +55,9 @@ class VerticalRoom {
   /// saw-tooth has room under it; and the vehicle gets below it in time.
   void take_covers(ObjectMap& objects);
 
-  /// Removes objects that turn out to be a bed that the vehicle passes over: parts of a known bed seen before
-  /// there was a sounding, and steep rises that end below, over whose top the sonar has looked for long
-  /// enough.
+  /// Removes objects that turn out to be a sea bed that the vehicle passes over. Some are parts of a known bed
+  /// that were seen before the first sounding. Others are steep rises whose top lies below the vehicle: the
+  /// sonar has looked over them for long enough.
   void take_beds(ObjectMap& objects);
 
   /// The edge of a shoal ahead, if the altimeter has just found one.

@@ -49,8 +49,8 @@ std::string decoded_once(std::string_view text) {
   return result;
 }
 
-/// Percent-decodes the text repeatedly, at most five times: a reader who decodes once more must not find a
-/// secret either.
+/// Percent-decodes the text repeatedly, at most five times. So a secret cannot hide in a text that was encoded
+/// several times.
 std::string decoded(std::string_view text) {
   constexpr int most_layers = 5;
   std::string result{text};

@@ -13,7 +13,7 @@ namespace floeplan::core {
 inline constexpr std::size_t most_violations = 100;
 
 /// Adds a violation, with its texts cut short. If the list already holds `most_violations`, adds one that
-/// says that there are more; after that, nothing.
+/// says that there are more. Further violations are dropped.
 void note(Violations& list, Violation violation);
 
 /// Whether `note` adds nothing any more, so that a check may end.

@@ -18,7 +18,7 @@ struct VelocityLmc {
 [[nodiscard]] int utm_zone_of(LonLat place);
 
 /// The UTM zone of a place with the standard's wider zones of Norway and Svalbard. If a log does not name the
-/// zone, the vehicle may use this rule or that of `utm_zone_of`.
+/// zone, the vehicle may use this rule or the rule of `utm_zone_of`.
 [[nodiscard]] int standard_utm_zone_of(LonLat place);
 
 /// Axes of a Slocum's local mission coordinates (LMC). In them it logs m_water_vx and _vy, m_initial_water_vx

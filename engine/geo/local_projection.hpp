@@ -18,8 +18,8 @@ struct PlanePoint {
   friend bool operator==(PlanePoint, PlanePoint) = default;
 };
 
-/// Distance in metres of the plane. Not by std::hypot, which is slower: it guards against overflow, which
-/// coordinates on the Earth cannot cause.
+/// Distance in metres of the plane. std::hypot would be slower: it guards against overflow, which cannot
+/// happen with coordinates on the Earth.
 [[nodiscard]] inline double distance_m(PlanePoint a, PlanePoint b) {
   const double dx_m = b.x_m - a.x_m;
   const double dy_m = b.y_m - a.y_m;

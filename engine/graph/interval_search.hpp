@@ -149,8 +149,8 @@ class IntervalSearcher {
     double from_s;
     double until_s;
   };
-  /// Searches departures from one stand along one edge, in ascending order, into an interval of the head and
-  /// those after it.
+  /// Searches departures from one stand along one edge, in ascending order. They lead into an interval of the
+  /// edge's head and into the intervals after it.
   struct Traveller {
     std::uint32_t stand;
     Edge edge;

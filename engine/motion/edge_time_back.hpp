@@ -8,7 +8,7 @@
 
 namespace floeplan::motion {
 
-/// A current in reversed time: at the time -t it is that of the time t, with the opposite sign.
+/// A current in reversed time: its value at the time -t is the value of `current` at t, with the opposite sign.
 template <PlaneCurrent Current>
 struct MirroredCurrent {
   const Current& current;

@@ -45,8 +45,8 @@ struct SampledStretch {
   }
 };
 
-/// An edge divided into stretches on which the current is sampled, none longer than the scales on which the
-/// current changes.
+/// An edge divided into stretches, on each of which the current is sampled. No stretch is longer than the
+/// distance over which the current changes.
 template <PlaneCurrent Current>
 class SampledLine {
  public:

@@ -11,10 +11,10 @@ namespace floeplan::ocean {
 
 /// The expected places of an iceberg: hour by hour from its sighting to the end of the forecast, with a new
 /// count of hours where currents or wind begin or end. Between two fixes it moves straight at constant speed.
-/// Drift    The sum of: the mean current over its draft; the effect of the wind, if known; and the remainder,
-///          which is what it moved faster or slower than both between its last two sightings. The remainder
-///          contains errors of the data, and the wind if that is unknown; it fades within a day. Integrated
-///          by the midpoint rule, which follows a tide to about one hundredth of its amplitude
+/// Drift    The sum of the mean current over its draft, the effect of the wind, if known, and a remainder. The
+///          remainder is the velocity between its last two sightings minus current and wind then. It contains
+///          errors of the data, and the wind if that is unknown; it fades within a day. The sum is integrated by
+///          the midpoint rule, which follows a tide to about one hundredth of its amplitude
 /// Edges    Where currents are unknown the berg moves as between its last two sightings; without earlier
 ///          sightings it moves with the wind alone, and without wind it stays. If the wind is known now but
 ///          was not between the sightings, the remainder contains wind and is not added. Where the sea bed is

@@ -17,7 +17,7 @@ Infeasible what_would_help(const ocean::Environment& environment, const PlanRequ
                            const std::stop_token& stop, const core::ProgressCallback& progress) {
   why = diagnosis::with_what_would_help(environment, leaving_at(request, request.depart), std::move(why),
                                         stop, progress);
-  // A later departure is no such change: the end of the window is part of the request.
+  // A later departure is not offered as a change, because the end of the window is part of the request.
   const auto departs_later = [](const Change& change) { return change.input == "depart"; };
   std::erase_if(why.changes, [&](const Change& change) {
     return departs_later(change) || std::ranges::any_of(change.with, departs_later);

@@ -119,7 +119,8 @@ Figure jet_figure(int number, const std::string& title, double width_pixels) {
           .panels = {}};
 }
 
-/// `path` with other points: those of `way` that are reached before `time`, and the place on `way` at `time`.
+/// `path` with new points: the points of `way` that are reached before `time`, and the place on `way` at
+/// `time`.
 FigurePath until(const FigurePath& path, const planning::optimal_control::TimedWay& way, core::Seconds time) {
   FigurePath result = path;
   result.points.clear();

@@ -25,7 +25,7 @@ struct MinorConstituent {
 ///          Driver manual)
 [[nodiscard]] std::vector<MinorConstituent> inferable_minors(std::span<const Constituent> majors);
 
-/// The constants, followed by those of the inferable minor constituents.
+/// The given constants, followed by constants for the minor constituents that can be inferred from them.
 [[nodiscard]] std::vector<HarmonicConstant> with_minors(std::vector<HarmonicConstant> constants);
 
 }  // namespace floeplan::tide

@@ -18,8 +18,8 @@ struct Streaming {
   std::function<bool(const std::string& method, const std::string& path)> wanted;  // empty: none
   std::filesystem::path folder;
   std::uint64_t most_bytes{};
-  /// Called on a handler thread before such a body is read; returns the refusal, if any. Empty: all are
-  /// accepted.
+  /// Called on a handler thread before the body is read; returns the refusal, if any. An empty function accepts
+  /// all bodies.
   std::function<std::optional<routes::Response>(const routes::Request&)> refuse{};
 };
 

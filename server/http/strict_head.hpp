@@ -14,7 +14,7 @@ class StrictHead {
  public:
   enum class State { incomplete, complete, faulty };
 
-  /// `bytes`  all bytes of the header received so far, including those of earlier calls
+  /// `bytes`  all bytes of the header received so far, also in earlier calls
   [[nodiscard]] State look_at(std::string_view bytes);
 
  private:

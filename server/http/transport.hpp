@@ -41,7 +41,7 @@ class Transport {
   boost::asio::awaitable<boost::beast::error_code> open();
   /// Tells the client that nothing more will be sent.
   boost::asio::awaitable<void> end();
-  /// The same for a connection that is given up, without waiting for TLS to close properly.
+  /// Ends a connection that is given up, without waiting for TLS to close properly.
   void stop_sending();
 
   template <class Buffers, class Token>
@@ -63,8 +63,8 @@ class Transport {
   }
 
  private:
-  /// As many buffers as one system call accepts. The caller gets the number of bytes transferred, and calls
-  /// again for the rest.
+  /// At most as many buffers as one system call accepts. The caller gets the number of transferred bytes and
+  /// calls again for the rest.
   template <class Buffer>
   using Buffers = boost::container::static_vector<Buffer, 64>;
 

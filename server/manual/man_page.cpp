@@ -49,7 +49,7 @@ std::string called(const Command& command) {
   return command.path.empty() ? "floeplan" : "floeplan " + command.path;
 }
 
-/// Names of related pages: those of the command's subcommands and, for a command, that of the program.
+/// Names of related pages: the pages of the command's subcommands and, for a command, the page of the program.
 std::string see_also(const Command& command, std::span<const Command> all) {
   std::string text;
   for (const Command& other : all) {

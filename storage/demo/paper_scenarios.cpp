@@ -15,8 +15,7 @@ constexpr FlatEarth earth{66.0};
 constexpr float bed_m = -500.0F;
 const std::string warning = "Synthetic, not for navigation. ";
 
-/// Where a field of the paper is put at sea: its origin, and how many metres, seconds and m/s one of its
-/// units is.
+/// Position and scale at sea of a field of the paper: its origin, and the metres, seconds and m/s of one unit.
 struct Placement {
   geo::LonLat origin;
   double length_m{};

@@ -97,7 +97,7 @@ std::vector<WktPlace> read_written_places(Scanner& scanner, Dimensions dimension
   return places;
 }
 
-/// The same with longitudes in [-180, 180).
+/// Reads the places as `read_written_places`, and brings their longitudes into [-180, 180).
 std::vector<WktPlace> read_places(Scanner& scanner, Dimensions dimensions) {
   auto places = read_written_places(scanner, dimensions);
   for (WktPlace& place : places) place.place.lon_deg = geo::wrap_longitude(place.place.lon_deg);

@@ -7,8 +7,8 @@ namespace {
 
 using nlohmann::json;
 
-// What came later than the first version, and what it is in a plan that lacks it. A new member of plan documents gets a
-// row here.
+// Members of plan documents that the first version did not have, and the value that they get in a plan without
+// them. A new member of plan documents gets a row here.
 const json later_in_plan{
     {"energy", nullptr},          {"encounter_trade", nullptr},    {"iceberg_encounters", nullptr},
     {"leg_trade", json::array()}, {"passed_under", json::array()}, {"refinement", nullptr},

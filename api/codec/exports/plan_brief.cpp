@@ -97,7 +97,7 @@ std::string safe_places_fact(const std::vector<geo::LonLat>& places) {
   return text + ".";
 }
 
-/// What ice means to the plan; empty where nothing is known of ice.
+/// The lines about sea ice and surfacing; empty if the plan knows nothing about ice.
 std::vector<std::string> ice_facts(const planning::Plan& plan) {
   if (!plan.surfacing) return {};
   const auto below = planning::time_below_ice(*plan.surfacing);

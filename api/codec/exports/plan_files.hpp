@@ -37,16 +37,16 @@ namespace floeplan::codec {
 [[nodiscard]] std::string plan_kml(const planning::Plan& plan, const std::string& plan_id,
                                    const std::string& name);
 
-/// The plan as an IMC message PlanSpecification in JSON, which Neptus and its relatives read: a Goto for every place
-/// but the start, each followed by the next when it is done, and a StationKeeping where the plan holds and the vehicle
-/// may surface: that manoeuvre brings it up.
+/// The plan as an IMC message PlanSpecification in JSON, which Neptus and related programs read. It has a Goto for
+/// every place but the start; the next manoeuvre follows when one is done. Where the plan holds and the vehicle may
+/// surface, it has a StationKeeping, which brings the vehicle to the surface.
 /// Units    latitude and longitude in radians (WGS84), z as depth in metres, speed in m/s, timeouts in seconds
-/// Depth    to which the vehicle dives; above the sea bed by the vehicle's altimeter margin, at the shoalest place of
-///          the leg, where that is known
-/// `shoals` of each leg, as mission::shoals_along gives them; empty: not known, but for what the plan keeps at
-/// waypoints
+/// Depth    the depth to which the vehicle dives. Where the shoalest place of a leg is known, the depth is at
+///          least the vehicle's altimeter margin above the sea bed there
+/// `shoals` shoalest place of each leg, from mission::shoals_along; empty: only the depths at the waypoints are
+///          known
 /// Timeout  twice as long as the plan takes; legs of more than 8 h are divided, as IMC's timeouts end at 65535 s
-/// `hold_radius` of the circle that the vehicle keeps to
+/// `hold_radius` radius of the circle in which the vehicle holds
 /// Source   LSTS, IMC message definitions (Goto, StationKeeping, PlanManeuver, PlanTransition, PlanSpecification; enumerations ZUnits
 ///          and SpeedUnits), and the plan of two Gotos in LSTS's description of how vehicles and Neptus talk
 [[nodiscard]] std::string plan_imc(const planning::Plan& plan, const vehicle::GliderProfile& vehicle,

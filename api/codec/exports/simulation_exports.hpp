@@ -15,8 +15,8 @@ namespace floeplan::codec {
 [[nodiscard]] std::string simulation_netcdf(const nlohmann::json& simulation,
                                             const std::vector<nlohmann::json>& flights);
 
-/// The same as GeoJSON: for each flight the true and the estimated track as lines, its events and its closest
-/// approaches as points. Lines are cut where they cross the antimeridian.
+/// The simulation as GeoJSON. Each flight has two lines, its true and its estimated track, and points for its
+/// events and its closest approaches. Lines are cut at the antimeridian.
 [[nodiscard]] nlohmann::json simulation_geojson(const nlohmann::json& simulation,
                                                 const std::vector<nlohmann::json>& flights);
 

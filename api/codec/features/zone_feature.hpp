@@ -11,7 +11,7 @@ namespace floeplan::codec {
 /// A stored zone as a GeoJSON Feature.
 [[nodiscard]] nlohmann::json zone_feature(const repository::StoredZone& stored);
 
-/// Reads a zone from a GeoJSON Feature with one Polygon; the properties are those of areas (zone_inputs.hpp).
+/// Reads a zone from a GeoJSON Feature with one Polygon. zone_inputs.hpp describes its properties.
 /// Errors   every violation, with its JSON pointer inside the feature
 [[nodiscard]] tl::expected<ocean::Zone, core::Violations> parse_zone_feature(const nlohmann::json& feature);
 

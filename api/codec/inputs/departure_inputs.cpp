@@ -14,7 +14,8 @@ json time_json(const std::optional<core::UtcTime>& time) {
   return time ? json(core::iso8601(*time)) : json();
 }
 
-/// "PT3600S": the same length of time always gives the same text, whatever the notation of the request.
+/// The duration in seconds, as "PT3600S". So equal durations give equal texts, in whatever notation the request
+/// gave them.
 std::string duration_text(core::Seconds duration) { return "PT" + json(duration.count()).dump() + "S"; }
 
 }  // namespace

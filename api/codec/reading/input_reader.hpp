@@ -53,7 +53,7 @@ class InputReader {
   void refuse_member(const std::string& key, const Given&... values) {
     refuse<code>(pointer_to(key), values...);
   }
-  /// `pointer` is relative to the whole document; `values` are those of the message with this code in
+  /// `pointer` is relative to the whole document. `values` fill the text of the message with this code in
   /// `messages::request_kinds`.
   template <messages::Code code, class... Given>
   void refuse(const std::string& pointer, const Given&... values) {

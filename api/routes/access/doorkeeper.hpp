@@ -42,7 +42,7 @@ class LoginLedger {
 
 /// How the doors of a server stand.
 struct Doors {
-  /// Requests without a token are allowed until the store has its first token; only if no other machine
+  /// Requests without a token are allowed until the store has its first token. Set only if no other machine
   /// reaches the server.
   bool open_without_tokens{true};
   bool secure{false};  // clients use TLS; cookies are then only sent over TLS

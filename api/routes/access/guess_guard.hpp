@@ -18,7 +18,7 @@ class RateLimit {
  public:
   RateLimit(double burst, core::Seconds interval) : burst_{burst}, interval_{interval} {}
 
-  /// Time that `who` has to wait; zero: no wait.
+  /// Time for which `who` must wait; zero if it need not wait.
   [[nodiscard]] core::Seconds wait(const std::string& who, core::UtcTime now) const;
   void note(const std::string& who, core::UtcTime now);
 
@@ -36,12 +36,12 @@ class RateLimit {
   std::map<std::string, Record> records_;
 };
 
-/// Slows down whoever guesses credentials, and whoever logs in again and again.
-/// An address may be wrong `burst` times, and a token may be guessed at as often from all addresses together; then nothing
-/// is looked at until there has been quiet for a while, one more try for every `interval`. What was right from an address
-/// before is looked at all the same: nobody is locked out by a neighbour behind the same address, or by one who knows the
-/// public part of a token.
-/// Memory   bounded; whoever did nothing for longest is forgotten first
+/// Slows down clients that guess credentials or log in again and again.
+/// An address may send `burst` wrong tokens. All addresses together may send `burst` wrong secrets for one token.
+/// Then no try is looked at for a while; one more try is allowed for every `interval` without tries. A token that
+/// was right from an address before is always looked at. So nobody is locked out by a neighbour behind the same
+/// address, or by somebody who knows the public part of a token.
+/// Memory   bounded; the entry without tries for the longest time is forgotten first
 /// Threads  any number at once
 class GuessGuard {
  public:

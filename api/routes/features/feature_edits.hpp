@@ -13,7 +13,7 @@ namespace floeplan::routes {
                                       const Request& request);
 [[nodiscard]] Response replace_feature(const FeatureCollection& collection, const Context& context,
                                        const Request& request, const std::string& id);
-/// Replaces members of the feature by those of a merge patch (RFC 7396).
+/// Applies a merge patch (RFC 7396) to the feature: each member of the patch replaces that of the feature.
 [[nodiscard]] Response update_feature(const FeatureCollection& collection, const Context& context,
                                       const Request& request, const std::string& id);
 [[nodiscard]] Response remove_feature(const FeatureCollection& collection, const Context& context,

@@ -124,7 +124,7 @@ const std::vector<std::string> texts{"depart",     "vehicle", "currents", "tides
                                      "bathymetry", "ice",     "icebergs", "coastline", "zones"};
 const std::vector<std::string> numbers{"speed_m_s", "dive_depth_m", "margin_m"};
 
-/// Adds the query's inputs of the flight to those of the body.
+/// Adds the inputs that the query gives to the inputs of the body.
 void add_query(const Request& request, json& inputs) {
   for (const std::string& name : texts) {
     if (const auto text = request.parameter(name)) inputs[name] = *text;

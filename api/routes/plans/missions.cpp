@@ -42,8 +42,8 @@ Response refuse_dangerous(const Request& request, const std::vector<messages::Me
 /// Whether the pilot has to confirm the dangers of a plan before the answer.
 enum class Dangers { to_confirm, told_in_answer };
 
-/// Calls `answer` with the stored plan that the path names and with what newer data say of it. A plan that would
-/// endanger the vehicle is refused unless the request insists, or the answer tells the dangers itself.
+/// Calls `answer` with the stored plan that the path names and with the result of its check in newer data. A
+/// plan with dangers is refused, unless the request accepts them or the answer shows them itself.
 template <class Answer>
 Response with_plan(const Context& context, const Request& request, const PathParameters& path, Dangers rule,
                    const Answer& answer) {

@@ -37,9 +37,9 @@ struct ExportedPlan {
   std::vector<messages::Message> messages;
 };
 
-/// The plan in one of these formats. `told`: what the check before the export said; the printed page shows it, and the
-/// safe places.
-/// Ice      a warning where the plan passes below ice or icebergs and the file has no room for how deep its dives turn
+/// The plan in one of these formats. The printed page also shows the safe places and `told`, the messages of the
+/// check before the export.
+/// Ice      adds a warning if the plan passes below ice or icebergs and the format cannot state the upper turns
 /// Errors   a violation for a plan that the format cannot hold, and for targets of a Seaglider that pass below ice or
 ///          icebergs
 [[nodiscard]] tl::expected<ExportedPlan, core::Violations> export_plan(

@@ -47,7 +47,7 @@ class JobGateway {
   /// Calls `wake` after each change of the job until the returned object is destroyed.
   [[nodiscard]] virtual std::shared_ptr<void> subscribe(const repository::JobId& id,
                                                         std::function<void()> wake) = 0;
-  /// The same for all jobs.
+  /// Calls `wake` after each change of any job, as `subscribe` does for one job.
   [[nodiscard]] virtual std::shared_ptr<void> subscribe_to_all(std::function<void()> wake) = 0;
 };
 

@@ -16,7 +16,7 @@ namespace floeplan::routes {
 
 /// The problem as application/problem+json, or as application/json if the request accepts only that.
 [[nodiscard]] Response problem_reply(const Request& request, const problems::Problem& problem);
-/// The same for the problem with this code and values.
+/// The reply with the problem of this code and these values.
 template <messages::Code code, class... Given>
 [[nodiscard]] Response problem_reply(const Request& request, const Given&... given) {
   return problem_reply(request, problems::problem<code>(given...));

@@ -21,8 +21,8 @@ namespace floeplan::mission {
 /// Sea       every leg from `start` (or the first row) at the times at which the vehicle is on it. Errors for
 ///           what endangers the vehicle, warnings for unknowns and missing data; if all is clear, a note with
 ///           the times
-/// `request` departure, vehicle and margins; the depths of a yo among the files and its use of the thruster
-/// replace the vehicle's
+/// `request` departure, vehicle and margins. If a yo is among the files, its depths and its use of the thruster
+///           replace the values of the vehicle
 void check_flight(std::vector<Document>& documents, const ocean::Environment& environment,
                   std::optional<geo::LonLat> start, planning::PlanRequest request);
 

@@ -21,10 +21,10 @@ struct FlownWaypoints {
       faults;  // why it is unknown which rows are flown; `rows` then holds all rows, as in the file
 };
 
-/// The rows that the vehicle flies. Of a goto list those that `flown_rows` gives; of a mission those of each
-/// inline list; of other files all rows.
-/// `from`   place of the vehicle. It decides where a list begins that asks for the closest row: closest on
-/// the ellipsoid, the first of equals. Empty: such a list begins at its first row
+/// The rows that the vehicle flies. A goto list gives the rows of `flown_rows`, a mission the rows of each of
+/// its inline lists, other files all their rows.
+/// `from`   place of the vehicle. A list that asks for the closest row begins at the row closest to it on the
+///          ellipsoid, the first of equals. Empty: such a list begins at its first row
 [[nodiscard]] FlownWaypoints flown_waypoints(const Document& document, std::optional<geo::LonLat> from);
 
 /// All flown rows of the documents' lists as one route. Lists are flown in the order of the documents. A list

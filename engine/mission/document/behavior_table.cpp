@@ -163,7 +163,7 @@ constexpr ArgumentRule yo[] = {
     {"c_thruster_value", "X", 0},
 };
 
-// Arguments of dive_to and climb_to: those of a yo without their prefix.
+// The arguments of dive_to and climb_to are called as in a yo, but without the prefix.
 constexpr ArgumentRule dive_to[] = {
     {"target_depth", "m"},
     {"target_altitude", "m"},

@@ -16,9 +16,9 @@ inline constexpr int thruster_by_power = 4;
 inline constexpr core::Watts least_thruster_power{1.0};
 inline constexpr core::Watts most_thruster_power{9.0};
 
-/// The input power with which one yo flies all of the plan on the thruster: the vehicle's own, which keeps
-/// the planned speed. Empty if some leg is not on the thruster, if the vehicle has no thruster or one of
-/// another speed, or if the firmware does not accept this power.
+/// The input power with which one yo flies the whole plan on the thruster. It is the power of the vehicle's
+/// profile, which keeps the planned speed. Empty if some leg is flown without the thruster, if the vehicle
+/// has no thruster of this speed, or if the firmware does not accept this power.
 /// Threads  may be called from several threads at once
 [[nodiscard]] std::optional<core::Watts> thruster_of_yo(const planning::Plan& plan,
                                                         const vehicle::GliderProfile& vehicle);

@@ -30,16 +30,17 @@ enum class Overhead {
 /// Precondition  the plan has this waypoint
 [[nodiscard]] Overhead overhead(const planning::Plan& plan, std::size_t waypoint);
 
-/// Whether the vehicle may surface everywhere on the plan's route. Ice that nobody knows in the midst of known ice forbids it; a
-/// plan made without data on ice is one in open water.
+/// Whether the vehicle may surface everywhere on the plan's route. Gaps in the data on ice forbid it. A plan made
+/// without any data on ice counts as one in open water.
 [[nodiscard]] bool may_surface_everywhere(const planning::Plan& plan);
 
 /// Whether the plan says of every leg how deep its dives turn. One stored by an older version, which passes where the
 /// vehicle may not surface, does not.
 [[nodiscard]] bool tells_upper_turns(const planning::Plan& plan);
 
-/// What has moved above a plan since it was made: ice or icebergs deeper than its dives turn, and waypoints
-/// where the vehicle may no longer surface. `now`: the same route with the newest data.
+/// Texts about ice that has moved over the route since the plan was made: ice or icebergs deeper than the upper
+/// turns of its dives, and waypoints where the vehicle may no longer surface. `now`: the same route with the
+/// newest data.
 [[nodiscard]] std::vector<std::string> closed_above_since(const planning::Plan& plan,
                                                           const planning::Plan& now);
 

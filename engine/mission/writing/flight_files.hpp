@@ -25,7 +25,7 @@ struct Surfacing {
 /// Target depth of a yo: above the rating by as much as a dive may overshoot.
 [[nodiscard]] core::Metres target_depth(const vehicle::GliderProfile& vehicle);
 
-/// Depth at which the vehicle aborts: below the target by what a turn may overshoot, at most its rating.
+/// Depth at which the vehicle aborts: below the target by the overshoot of a turn, but at most its rating.
 [[nodiscard]] core::Metres overdepth(const vehicle::GliderProfile& vehicle);
 
 /// Upper turn of a yo: below everything that the plan passes under, on the whole route, because a yo is the

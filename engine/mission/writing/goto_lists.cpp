@@ -27,8 +27,8 @@ constexpr double utm_south_end_deg = -80.0;
 constexpr double smallest_radius_m = 10.0;  // minimum of list_when_wpt_dist in the vehicle's data dictionary
 constexpr double largest_default_radius_m = 500.0;
 constexpr double long_leg_m = 100'000.0;
-// Judgements: such an error is beyond what pilots expect of dead reckoning, but within what a plan knows of
-// the ice nearby.
+// Judgements: larger errors are more than pilots expect of dead reckoning. A plan still knows the ice within
+// this distance.
 constexpr core::Metres far_off{5000.0};
 constexpr core::Seconds far_later{2.0 * 3600.0};
 

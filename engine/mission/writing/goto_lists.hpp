@@ -41,19 +41,18 @@ struct GotoListOptions {
 [[nodiscard]] core::Seconds longest_list_time(const planning::Plan& plan, const GotoListOptions& options);
 
 /// Writes the plan as GliderDOS goto lists (`goto_lNN.ma`), each to be flown once, from first row to last.
-/// Start    left out: the vehicle is there already, and a list holds the places to go to. Were it the first
-///          row, a vehicle that has drifted on since the plan was made would turn back for it.
-/// Length   never more than `max_waypoints` rows; longer plans continue in lists with consecutive numbers,
-///          and a warning says that the pilot has to send them one after the other. The firmware owns the
-///          numbers 98 and 99.
-/// Ends     a mission brings the vehicle up where its list is flown: a list ends where the plan lets it surface, or
-///          where nothing is known of the ice, with a warning; never below ice or an iceberg, nor within the radius
-///          of them, unless `may_end_below_ice`. A list that ends near them gets a smaller radius than the usual one,
-///          and a warning where its position error may still bring it up below ice. That error grows from the list's start,
-///          or from the last of its fixes `between_fixes`
-/// Holds    of ten minutes or more where the vehicle may come up: the list ends there, and a list of two rows follows
-///          that keeps it near the place by hold_legs, with a warning that says when the next one is to be sent. Where
-///          no such list is as short as the hold, the warning alone
+/// Start    left out, because the vehicle is already there. If the start were the first row, a vehicle that has
+///          drifted since the plan was made would turn back to it
+/// Length   at most `max_waypoints` rows. Longer plans continue in lists with consecutive numbers, and a warning
+///          says that the pilot must send them one after the other. The firmware owns the numbers 98 and 99
+/// Ends     The vehicle surfaces at the end of a list. So a list ends where the plan allows surfacing or, with a
+///          warning, where the ice is unknown. Unless `may_end_below_ice`, it never ends below ice or an iceberg,
+///          nor within the waypoint radius of them. A list that ends near them gets a smaller radius than usual. A
+///          warning says if its position error may still bring it up below ice. This error grows from the start of
+///          the list, or from the last of its fixes `between_fixes`
+/// Holds    A list ends at a hold of ten minutes or more where the vehicle may surface. The next list has two rows
+///          and keeps the vehicle near the place (hold_legs). A warning says when to send the list after it. If no
+///          list of two rows is as short as the hold, there is only the warning
 /// Errors   every violation at once: a place beyond 89 degrees of latitude, fewer than two waypoints, more
 ///          consecutive waypoints below ice or icebergs than a list holds, a plan or a list that ends below
 ///          them or too near to them, options out of range

@@ -9,8 +9,8 @@
 namespace floeplan::mission {
 namespace {
 
-/// Time from surfacing to the next dive: a minute to the first fix, and keystroke_wait_time of the surfacings
-/// that flight_files writes, which is that of the vendor's stock missions.
+/// Time from surfacing to the next dive: a minute to the first fix, and the keystroke_wait_time that
+/// flight_files writes. The vendor's stock missions have the same value.
 constexpr double at_surface_s = 360.0;
 constexpr double step_s = 5.0;
 /// Time without headway at every turn of the saw-tooth. It takes 13 s to move the piston of a shallow vehicle

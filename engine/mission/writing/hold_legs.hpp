@@ -38,7 +38,7 @@ struct HoldLegs {
 /// end an hour early or late. A judgement.
 inline constexpr int most_hold_legs = 24;
 
-/// Radius for the rows of a hold within such a circle, and for the place itself before them.
+/// Radius of the rows of a hold within the circle, and of the waypoint before them.
 [[nodiscard]] core::Metres turning_radius(core::Metres circle);
 
 /// A list of legs that lasts as long as the wait.

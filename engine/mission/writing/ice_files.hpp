@@ -31,7 +31,7 @@ namespace floeplan::mission {
 /// Violations of the rules for safe places and draft of icebergs.
 [[nodiscard]] core::Violations ice_violations(const planning::Plan& plan, const MissionSetOptions& options);
 
-/// For the pilot: what must be on the vehicle besides these files.
+/// Messages for the pilot about files and settings that must be on the vehicle besides these files.
 [[nodiscard]] std::vector<messages::Message> ice_warnings(const planning::Plan& plan,
                                                           const MissionSetOptions& options);
 

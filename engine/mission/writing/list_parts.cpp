@@ -50,7 +50,7 @@ core::Seconds planned_time(const planning::Plan& plan, std::size_t leg) {
   return plan.waypoints[leg].eta - (from.eta + from.wait);
 }
 
-/// Time under way on a leg: the planned time, or that with the assumed current if it is longer.
+/// Time under way on a leg: the planned time, or the time with the assumed current if that is longer.
 core::Seconds time_under_way(const planning::Plan& plan, std::size_t number, geo::VelocityEn reckoned) {
   const core::Seconds planned = planned_time(plan, number);
   const planning::Waypoint& leg = plan.waypoints[number];
@@ -97,7 +97,7 @@ core::UtcTime begin_of(const planning::Plan& plan, const ListPart& part) {
   return start.eta + start.wait;
 }
 
-/// The current that the vehicle navigates with at first: that of its last dives.
+/// The current that the vehicle navigates with at first: its estimate from the last dives.
 geo::VelocityEn assumed_at_start(const planning::Plan& plan, const ListPart& part) {
   if (part.before == 0) return {};
   const core::UtcTime surfaced = plan.waypoints[part.first - 1].eta;

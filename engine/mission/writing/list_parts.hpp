@@ -48,17 +48,17 @@ struct ListEnd {
   [[nodiscard]] core::Metres sure_room() const;  // room that remains with the position error; may be negative
 };
 
-/// Position error where a list ends: the growth since the last fix, and how far the currents of the plan
-/// carry the vehicle relative to the current with which it navigates. The last fix is at the start of the
-/// list, or `between_fixes` before its end. The vehicle navigates with the mean current over the time between
+/// Position error at the end of a list. It grows since the last fix, and by the distance that the currents of
+/// the plan carry the vehicle relative to the current with which it navigates. The last fix is at the start of
+/// the list, or `between_fixes` before its end. The vehicle navigates with the mean current over the time between
 /// the two previous fixes; if the list before had no other fix, with the mean current over that list; on the
 /// first list, with none. Against currents unknown to the vehicle, the time under way is the time by its own
 /// reckoning, if that is longer. Zero for plans that do not state their error.
 [[nodiscard]] core::Metres error_of(const planning::Plan& plan, const ListPart& part);
 
-/// How much longer than planned the vehicle is under way on the list, because it navigates with currents
-/// other than those that it meets there; with `between_fixes` until the first fix. The ice at the end of the
-/// list is judged for the planned time alone.
+/// Delay of the vehicle on the list, because the currents with which it navigates differ from the currents that
+/// it meets. With `between_fixes` the delay until the first fix. The ice at the end of the list is judged only
+/// for the planned time.
 [[nodiscard]] core::Seconds late_by(const planning::Plan& plan, const ListPart& part);
 
 /// Empty if the list's route passes below nothing and no ice is near its end, and for plans of older

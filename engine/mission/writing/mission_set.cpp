@@ -112,7 +112,7 @@ core::Violations violations_below_ice(const planning::Plan& plan, const MissionS
   return found;
 }
 
-/// Whether the yo's upper turn follows from what the plan passes below.
+/// Whether the ice or icebergs above the plan determine the yo's upper turn.
 bool is_below_ice(const planning::Plan& plan, const vehicle::GliderProfile& vehicle) {
   return climb_target(plan, vehicle).value <= std::ceil(least_upper_turn(plan).value);
 }

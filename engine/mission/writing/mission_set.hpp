@@ -15,11 +15,11 @@ namespace floeplan::mission {
 /// Writes all files that a vehicle needs to fly the plan: a mission, the goto lists, and argument files for
 /// yo, sample, prepare_to_dive and three or five surfacings.
 /// Values   Depths, altitude, pitch and pump come from vehicle and plan. Waiting times and the order of
-///          behaviors are those of the vendor's stock missions. All else keeps the vehicle's dictionary
-///          defaults. No factory setting (f_...) and no calibration is ever written
+///          behaviors come from the vendor's stock missions. All other values keep the defaults of the vehicle's
+///          dictionary. No factory setting (f_...) and no calibration is ever written
 /// Depth    A glider overshoots its target and aborts at its overdepth, which is 15 % below the target, at
-///          most the rating. So the target is 10 % above the rating of a shallow vehicle, 2 % above that of a
-///          1000 m vehicle
+///          most the rating. So the target lies 10 % above the rating of a shallow vehicle, and 2 % above the
+///          rating of a 1000 m vehicle
 /// Surface  in open water at each waypoint and every three hours (a 1000 m vehicle: six), or at the plan's
 ///          interval
 /// Ice      A plan that passes below ice or icebergs needs `under_ice`. Its yo climbs no higher, on all legs,

@@ -25,9 +25,10 @@ struct Firmware {
 /// Data for work under ice that are not in the plan.
 struct UnderIce {
   std::vector<geo::LonLat> safe_places;  // open water to head for in an emergency; one to eight places
-  /// Default: the depth of what the plan passes below, but at least that of the vendor's stock settings.
+  /// Default: the depth of the deepest ice that the plan passes below, but at least the value of the vendor's
+  /// stock settings.
   std::optional<core::Metres> deepest_expected_iceberg{};
-  core::Metres margin_below_ice{planning::UnderIceRules{}.margin_below_ice};  // that of the plan's request
+  core::Metres margin_below_ice{planning::UnderIceRules{}.margin_below_ice};  // as in the plan's request
 };
 
 struct MissionSetOptions {

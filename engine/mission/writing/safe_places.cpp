@@ -26,8 +26,8 @@ struct IceThere {
   bool known{false};  // known all the time
 };
 
-/// The concentration at a time: interpolated between the steps around it, or that of the step that is held
-/// then.
+/// The concentration at a time: interpolated between the steps around it. At times when one step of the ice
+/// is held, it is the concentration of this step.
 std::optional<double> concentration_then(const ocean::IceField& product, geo::LonLat place, double time_s) {
   const ocean::Axis& steps_s = product.samples().times_s;
   const ocean::IceMoment when = ocean::ice_moment(steps_s.nodes(), time_s);

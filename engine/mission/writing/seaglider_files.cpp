@@ -56,7 +56,7 @@ std::string science_text(const SeagliderOptions& options, const std::string& hea
   return text;
 }
 
-/// Adds what our own strict reader reports about the bands as they would be written.
+/// Writes the bands as text, reads this text with the strict reader of `check`, and adds its faults.
 void check_bands(const SeagliderOptions& options, core::Violations& found) {
   if (options.bands.empty()) return;
   const Document science = read_document("science", science_text(options, ""));
@@ -80,7 +80,7 @@ core::Violations violations_of(const planning::Plan& plan, const SeagliderOption
   return found;
 }
 
-/// The warning where the sea bed is above the depth at which the vehicle turns unless told otherwise.
+/// The warning if the sea bed lies above $D_TGT, the depth at which the vehicle turns by itself.
 std::optional<messages::Message> shoal_warning(const planning::Plan& plan, const SeagliderOptions& options) {
   const auto shoal = shoalest_of(plan, options.shoals);
   const core::Metres margin = options.vehicle.altimeter_margin;

@@ -39,8 +39,8 @@ struct SeagliderOptions {
 /// The files that a Seaglider needs to fly the plan: `targets`; a `cmdfile` with depth and duration of a dive
 /// and the directive to resume; and a `science` file if bands are given, because only the pilot knows the
 /// vehicle's sensors.
-/// Values    $D_TGT is the depth of the plan's dives, $T_DIVE the duration of one at the vehicle's vertical
-///           speed, both rounded up to whole metres and minutes. Nothing else is set. A warning names the
+/// Values    $D_TGT is the depth of the plan's dives, $T_DIVE the duration of a dive at the vehicle's vertical
+///           speed, rounded up to whole metres and minutes. No other parameter is set. A warning names the
 ///           shoalest water if it is shoaler than $D_TGT plus the altimeter's margin
 /// Source    iop-apl-uw/basestation3 validate.py and parmdata.py
 /// Errors    every violation at once: a plan without a leg, or one that passes below ice or icebergs, a depth

@@ -33,8 +33,8 @@ enum class IceStanding {
   own         // it is a step, or lies between two that are close together
 };
 
-/// The two steps to interpolate the ice of a time from. If it is unknown, the steps around it, which give
-/// what was last known.
+/// The two steps between which the ice of a time is interpolated. If the ice is unknown then, the steps around
+/// the time, which give the ice that was last known.
 struct IceMoment {
   std::size_t first{};
   std::size_t second{};

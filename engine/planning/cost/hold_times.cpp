@@ -32,8 +32,8 @@ core::Seconds next_look(const Sea& sea, core::Seconds now, core::Seconds until) 
   return sea.domain().currents() ? std::min(until, sea.domain().currents()->next_step(now)) : until;
 }
 
-/// The last checked time until which the vehicle stays within the circle. Earlier than `from`: it cannot hold
-/// at all.
+/// The last checked time until which the vehicle stays within the circle. It is earlier than `from` if the
+/// vehicle cannot hold at all.
 core::Seconds held_until(const Sea& sea, const HoldCircle& circle, core::Seconds from, core::Seconds until) {
   core::Seconds held = from - between_looks;
   if (!circle.is_open() || !circle.is_kept(from)) return held;

@@ -24,8 +24,8 @@ struct WaitedLeg {
 /// current closes places only for a while.
 [[nodiscard]] bool holds_may_help(const Sea& sea);
 
-/// The time until which the vehicle can hold at a place, at most `until`: while it can stay within its circle
-/// (hold_circle.hpp) and no timed closure touches the circle.
+/// The time until which the vehicle can hold at a place, at most `until`. It can hold as long as it can stay
+/// within its circle (hold_circle.hpp) and no timed closure touches the circle.
 /// Accuracy  room below the ice is checked every quarter of an hour; currents and closures are exact
 [[nodiscard]] core::Seconds can_stay_until(const Sea& sea, geo::PlanePoint place, core::Seconds from,
                                            core::Seconds until);

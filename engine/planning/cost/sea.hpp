@@ -105,7 +105,8 @@ class Sea {
                                                           core::Seconds depart, core::Seconds since_surfacing,
                                                           vehicle::Drive drive) const;
   /// A leg that must end by `latest`, with its energy, from one integration. If the time without surfacing is
-  /// limited, the result equals that of `leg`; otherwise that of `leg_time`, and `since_surfacing` is zero.
+  /// limited, the leg equals the result of `leg`. Otherwise its time equals the result of `leg_time`, and
+  /// `since_surfacing` is zero.
   struct MeteredLeg {
     Leg leg;
     EnergyUse energy;

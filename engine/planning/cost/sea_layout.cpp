@@ -20,10 +20,9 @@ core::UtcTime last_departure(const PlanRequest& request) {
       {request.depart, rules.until.value_or(request.depart), rules.arrive_by.value_or(request.depart)});
 }
 
-/// The time after the first departure until which the drift of icebergs matters: what the route needs from
-/// the last departure on, or the end of the currents if later, but at most `longest_drift`. All departures of
-/// a window get the drift that the last one would have alone, so comparing departures does not change their
-/// results.
+/// The time after the first departure until which the drift of icebergs matters: the end of a route from the last
+/// departure, or the end of the currents if later, but at most `longest_drift`. All departures of a window get the
+/// drift that the last one would have alone, so the result of a departure does not depend on the window.
 core::Seconds forecast_horizon(const ocean::Environment& environment, const PlanRequest& request) {
   const core::UtcTime last = last_departure(request);
   core::Seconds under_way = drift_for_the_way(request);

@@ -28,7 +28,7 @@ class InputTrials {
   InputTrials(const Trial& trial, const std::stop_token& stop) : trial_{trial}, stop_{stop} {}
 
   void begin_input() { told_nothing_ = false; }
-  /// Whether the search for a value of the present input has to end.
+  /// Whether the search for a value of the present input must end.
   [[nodiscard]] bool is_over() const { return told_nothing_ || stop_.stop_requested(); }
   /// Whether some trial gave no answer.
   [[nodiscard]] bool told_too_little() const { return told_too_little_; }
@@ -36,7 +36,7 @@ class InputTrials {
   [[nodiscard]] const std::optional<PlanRequest>& last_possible() const { return last_possible_; }
 
   bool works(const PlanRequest& request) { return works_by(trial_, request); }
-  /// As `works`, with another trial, on other data.
+  /// Whether the request has a plan by this trial, which may use other data than the trial of `works`.
   bool works_by(const Trial& trial, const PlanRequest& request) {
     const TrialOutcome outcome = outcome_of(trial, request);
     if (outcome == TrialOutcome::not_known) told_nothing_ = true;

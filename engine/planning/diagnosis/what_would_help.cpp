@@ -138,7 +138,8 @@ Infeasible with_what_would_help(const ocean::Environment& environment, const Pla
     auto move = move_that_helps(environment, request, why.moves, stop);
     if (move) why.changes = {std::move(*move)};
   }
-  // Where a stop lies outside the data, only another place or more data can help; on land far from water, another place.
+  // If a stop lies outside the data, only another place or more data can help. If it lies on land far from water, only
+  // another place can help.
   const bool is_far_inland = why.binding == Constraint::land && !has_moves;
   if (why.at_a_stop && (why.binding == Constraint::data_area || is_far_inland)) {
     why.changes_cut_short = has_moves && why.changes.empty();

@@ -66,7 +66,7 @@ class EnergyMap {
   };
   /// The place for a cell: a band with the mean number of turns of the samples in the cell.
   [[nodiscard]] Place place_of_cell(std::int64_t ix, std::int64_t iy) const;
-  /// The place of a cell; beyond the raster that of the nearest cell.
+  /// The place of a cell. Beyond the raster, the place of the nearest cell.
   [[nodiscard]] const Place& place(std::int64_t ix, std::int64_t iy) const;
   /// A copy of the place whose dives turn no higher than `upper_turn`.
   [[nodiscard]] Place below(const Place& place, core::Metres upper_turn) const;

@@ -35,7 +35,8 @@ class DriftingDisc {
   [[nodiscard]] const std::vector<Knot>& knots() const { return knots_; }
   /// Box around everything that the disc ever covers.
   [[nodiscard]] const plane::PlaneBox& swept() const { return swept_; }
-  /// Box around what the disc covers from a knot to the next; for the last knot from then on, without end.
+  /// Box around the area that the disc covers from one knot to the next. For the last knot: from then on, without
+  /// end.
   [[nodiscard]] plane::PlaneBox swept_from(std::size_t knot) const;
   /// The hull without allowances at one time. `scale`: metres of the plane per metre on the ground at its
   /// place.

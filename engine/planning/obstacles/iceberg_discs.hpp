@@ -76,7 +76,7 @@ class IcebergDiscs {
     std::size_t berg{};
     core::Metres distance;  // on the ground, negative inside
   };
-  /// Over all times of the move; empty without icebergs.
+  /// The hull that the move comes nearest to at any of its times; empty without icebergs.
   [[nodiscard]] std::optional<NearestHull> nearest_hull(const motion::EvenMove& move) const;
 
   /// Expected number of times that a vehicle on this move comes within the margin of a hull, averaged over
@@ -101,7 +101,7 @@ class IcebergDiscs {
     std::size_t berg{};  // index of the berg, for `keel`
     TimeSpan span;
   };
-  /// All such stays on this move, berg by berg.
+  /// All stays in discs of icebergs on this move, berg by berg.
   [[nodiscard]] std::vector<Under> passed_under(const motion::EvenMove& move) const;
   [[nodiscard]] const std::string& name(std::size_t berg) const { return bergs_[berg].name; }
   /// Precondition  the vehicle may pass under the berg

@@ -152,8 +152,8 @@ Optimality rate_route(const cost::Sea& sea, const cost::Route& route, const std:
     const auto starts = coarse_ways(section, least, timer, stop);
     if (water.is_exhausted()) return {std::nullopt, took_too_long};
     if (!starts) return {std::nullopt, describe(starts.error())};
-    // If a route of few legs crosses land or ice, so does one of more legs: the two differ by far less than the size
-    // of such obstacles.
+    // If a route of few legs crosses land or ice, a route of more legs does, too: the distance between both is far
+    // smaller than such obstacles.
     core::Seconds till_there = since_surfacing;
     if (const auto closed = closure(sea, starts->front(), till_there))
       return {std::nullopt, describe(*closed)};

@@ -14,8 +14,9 @@ namespace floeplan::planning::plane {
   return {a.x_m + share * (b.x_m - a.x_m), a.y_m + share * (b.y_m - a.y_m)};
 }
 
-/// Where the way from a to b crosses the line from c to d, as a share of the way; empty where it does not. A corner's
-/// side of the way is the same for both lines that meet in it, so that a way past it crosses both or neither.
+/// The point where the move from a to b crosses the line from c to d, as a share of the move; empty if it does not
+/// cross. For two lines that meet in a corner, the corner lies on the same side of the move. So a move past the
+/// corner crosses both lines or neither.
 [[nodiscard]] inline std::optional<double> crossing(geo::PlanePoint a, geo::PlanePoint b, geo::PlanePoint c,
                                                     geo::PlanePoint d) {
   const double dx = b.x_m - a.x_m;

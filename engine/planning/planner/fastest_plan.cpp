@@ -168,8 +168,8 @@ Result<Plan> plan_fastest(const Task& task, const Planning&) {
   const core::ProgressCallback as_asked = core::part_of(progress, "", 0.0, strict ? 0.5 : 1.0);
   Attempt best = plan_on_grids(task.telling(as_asked));
   if (strict && !stop.stop_requested()) {
-    // Permission to pass under icebergs must never delay a plan. But refinement may end at a later route with
-    // it, so the plan without permission is made, too.
+    // Permission to pass under icebergs must never delay a plan. But with the permission refinement may end at a
+    // slower route. So a plan without the permission is made, too.
     best.chart.reset();  // takes much memory and is no longer needed
     const core::ProgressCallback without_leave_too = core::part_of(progress, "", 0.5, 1.0);
     Attempt without = plan_on_grids(task.with(*strict).telling(without_leave_too));

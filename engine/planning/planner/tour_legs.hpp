@@ -32,8 +32,8 @@ class TourLegs {
   /// Travel time from one stop to another; stops are numbered as in the layout. Includes the wait until the
   /// end opens. Empty if there is no route at that time, and once `stop` is requested.
   [[nodiscard]] std::optional<core::Seconds> time(std::size_t from, std::size_t to, core::Seconds depart);
-  /// Approximate time for any departure: that at the tour's beginning or, if there is no route then, in still
-  /// water.
+  /// Approximate time for any departure: the time for a departure at the beginning of the tour or, if there is no
+  /// route then, the time in still water.
   [[nodiscard]] core::Seconds usual_time(std::size_t from, std::size_t to);
   /// Lower bound of the time for all departures.
   [[nodiscard]] core::Seconds least_time(std::size_t from, std::size_t to);

@@ -4,7 +4,8 @@
 
 namespace floeplan::planning {
 
-/// Beyond about ten days forecasts do not tell what closes and reopens. A judgement.
+/// Longest hold that a request may allow. Forecasts of more than about ten days do not tell when water closes
+/// and reopens. A judgement.
 inline constexpr core::Seconds longest_hold_allowed{10.0 * 86'400.0};
 
 /// How the vehicle may hold station: stay near a place by making way against the current.

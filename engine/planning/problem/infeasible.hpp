@@ -40,7 +40,7 @@ enum class Reason {
 
 [[nodiscard]] std::string reason_name(Reason reason);
 
-/// What closes the route, independent of what the request asks for.
+/// The kind of constraint that closes the route. It does not depend on the objective of the request.
 enum class Constraint {
   current,
   depth,

@@ -26,10 +26,11 @@ struct DepartureOutcome {
   [[nodiscard]] core::UtcTime arrival() const { return departure + travel_time.value(); }
 };
 
-/// The outcomes of a window and the plan for the best departure. The plan equals one for this departure alone. Its
-/// travel time may be less than that of the outcome, because only this route is refined. A departure counts as closed
-/// where it has a route but no plan, for example because the battery is too small. With a robust objective departures
-/// are planned until no other can be better, but at most six; then the plan is the best of those and warns of it.
+/// The outcomes of a window and the plan for the best departure. The plan equals a plan for this departure alone.
+/// Only its route is refined, so its travel time may be shorter than in the outcome. A departure with a route but
+/// without a plan counts as closed, for example if the battery is too small. With a robust objective, departures
+/// are planned until no other can be better, but at most six. The plan is then the best of those six, and a message
+/// says so.
 struct WindowPlan {
   std::vector<DepartureOutcome> departures;
   Result<Plan> plan;  // without a plan: why the best departure is closed, or the first one where all are

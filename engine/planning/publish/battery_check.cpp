@@ -23,7 +23,7 @@ std::optional<Infeasible> check_battery(Plan& plan, const PlanRequest& request) 
   const auto found = std::ranges::find_if(plan.waypoints, [&](const Waypoint& waypoint) {
     return waypoint.energy.value_or(core::Joules{}) > plan.energy->usable;
   });
-  // The energy of the plan and that at its last waypoint are summed in different orders, so they may differ
+  // The energy of the plan and the energy at its last waypoint are summed in different orders, so they may differ
   // by rounding.
   const Waypoint& empty = found == plan.waypoints.end() ? plan.waypoints.back() : *found;
   messages::Message shortage = shortage_of(*plan.energy).at(empty.place);

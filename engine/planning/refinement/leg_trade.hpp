@@ -18,8 +18,8 @@ class LegTradeOff {
   /// Ordered by number of legs; only routes that cost less than all with fewer legs.
   [[nodiscard]] std::vector<LegTrade> trade() const;
 
-  /// The route with the fewest legs for which twice the legs would gain less than the share `least_gain` of the cost.
-  /// With `most_legs`, none with more than those, unless there is no other.
+  /// The route with the fewest legs for which twice as many legs would lower the cost by less than the share
+  /// `least_gain`. With `most_legs`, a route with at most so many legs, if there is one.
   /// Precondition  a route was offered
   [[nodiscard]] const cost::Itinerary& choose(double least_gain, std::optional<std::size_t> most_legs) const;
 

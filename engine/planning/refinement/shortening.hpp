@@ -36,8 +36,8 @@ std::optional<cost::Itinerary> merge_two(LegMeter<Leg>& legs, const cost::Itiner
   return best;
 }
 
-/// As `thin_to`. If every removal would close the route, pairs of points are merged into one, provided that
-/// this leads to at most `most` legs in the end.
+/// Removes points as `thin_to` does. If every removal would close the route, pairs of points are merged into
+/// one, provided that the route then has at most `most` legs in the end.
 template <cost::CostedLeg Leg>
 cost::Itinerary shorten_to(LegMeter<Leg>& legs, cost::Itinerary timed, std::size_t most) {
   cost::Itinerary thinned = thin_to(legs, std::move(timed), most);

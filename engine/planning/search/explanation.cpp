@@ -166,7 +166,7 @@ Infeasible unusable_place(motion::EdgeClosed closed, Stop stop, geo::LonLat plac
   throw std::logic_error{"a place that is not closed in this way"};
 }
 
-/// As `unusable_place`, and how long the vehicle must wait until the place reopens.
+/// Says what `unusable_place` says, and how long the vehicle must wait until the place reopens.
 Infeasible explain_closed_place(motion::EdgeClosed closed, Stop stop, geo::LonLat place, core::Seconds when,
                                 const cost::Sea& sea, const PlanRequest& request) {
   Infeasible infeasible = unusable_place(closed, stop, place, when, sea, request);
@@ -238,7 +238,7 @@ Infeasible explain_route(const cost::RouteClosed& closed, const cost::Sea& sea, 
 
 Infeasible explain_search(const RouteSearch& search, Stop kind, geo::PlanePoint stop, const cost::Sea& sea,
                           const PlanRequest& request) {
-  // What closes most edges out of the reached vertex nearest to the goal counts as the cause; on a tie the
+  // The cause is the kind that closes most edges out of the reached vertex nearest to the goal; on a tie the
   // first kind.
   using enum motion::EdgeClosed;
   // If each of them is open, the bound on the time without surfacing ended the search.
@@ -259,7 +259,7 @@ Infeasible explain_search(const RouteSearch& search, Stop kind, geo::PlanePoint 
     if (search.statistics.holds_may_help) why.besides.push_back(messages::refusal<"never-holds">());
     return why;
   }
-  // Currents of a single time end at the departure.
+  // Data with a single time step end at the departure.
   const auto end = sea.domain().currents() ? sea.domain().currents()->end() : std::nullopt;
   const bool out_of_time = search.out_of_time || (end && *end <= core::Seconds{0.0});
   const Closure closure =

@@ -16,8 +16,8 @@ using Direction = IsochroneRequest::Direction;
 constexpr std::size_t most_arrivals = 4'000'000;
 constexpr double spans_in_bound = 100.0;  // last surfacings are told apart to a hundredth of the limit
 
-/// The model of `graph::find_best_labels` for a vehicle with a limit on the time without surfacing that goes
-/// as far as it can. Times are those of the search's clock (see `Presence`).
+/// The model of `graph::find_best_labels` for a vehicle that goes as far as it can with a limited time
+/// without surfacing. Times count on the search's clock (see `Presence`).
 class BoundedVoyage {
  public:
   struct State {

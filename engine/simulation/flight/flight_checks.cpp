@@ -13,7 +13,7 @@
 namespace floeplan::simulation {
 namespace {
 
-/// No current makes a glider, over its whole route, faster than this multiple of its own speed.
+/// Largest average speed of a glider over its whole route, as a multiple of its own speed. No current carries it faster.
 constexpr double fastest_over_own = 2.0;
 
 /// Whether the data end before the vehicle can reach its last waypoint, with the best possible currents and

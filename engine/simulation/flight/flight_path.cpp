@@ -6,7 +6,7 @@
 namespace floeplan::simulation {
 namespace {
 
-/// No leg of a hold is shorter: the vehicle is at the surface for this time at each turn.
+/// Shortest leg of a hold. The vehicle spends this time at the surface at each turn.
 constexpr core::Seconds shortest_leg{360.0};
 
 /// Adds the legs that the vehicle may fly until the pilot ends the hold: the ordered list, then whole

@@ -22,7 +22,7 @@ constexpr double stroke_begun = 0.05;
 constexpr double gliding_from_m = 5.0;
 constexpr double flattest_glide_rad = 0.15;
 constexpr double cm3 = 1e-6;
-/// No Slocum dives longer; in such a log the times have a jump.
+/// Longest dive of a Slocum. If a dive of a log is longer, the times of the log have a jump.
 constexpr core::Seconds longest_dive{10.0 * 86400.0};
 /// Part of the time between two turns in which the glide is steady, as shares of that time.
 constexpr double middle_from = 0.3;

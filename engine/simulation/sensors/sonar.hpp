@@ -47,7 +47,7 @@ class Sonar {
   template <CastRay Cast>
   [[nodiscard]] std::span<const avoidance::SonarReturn> ping(const TrueState& state, const Cast& cast,
                                                              std::mt19937_64& rng);
-  /// The returns of a ping that meets only the open surface: the same as from `ping`, but faster.
+  /// The returns of a ping that meets only the open surface. `ping` gives the same result, but more slowly.
   [[nodiscard]] std::span<const avoidance::SonarReturn> ping_in_open_water(std::mt19937_64& rng);
 
   /// Mean background level (noise and volume) in a range cell, dB re 1 uPa.
@@ -67,7 +67,7 @@ class Sonar {
     avoidance::BodyVector direction{};
     double solid_angle_sr{};
   };
-  /// Sensitivity of a beam for a ray, minus that of its side lobes.
+  /// Sensitivity of a beam for a ray, minus the sensitivity of the beam's side lobes.
   struct Weight {
     std::uint32_t ray{};
     float two_way{};

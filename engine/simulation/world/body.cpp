@@ -30,7 +30,7 @@ double cylinder_distance(const Shape& shape, const BodyPoint& point) {
   return below_m <= 0.0 ? aside_m : std::hypot(aside_m, below_m);
 }
 
-/// Index of the last fix at or before `time`, but at most that of the last but one.
+/// Index of the last fix at or before `time`, but at most the index of the last fix but one.
 std::size_t stretch_at(const std::vector<Body::Fix>& track, core::UtcTime time) {
   const auto after = std::ranges::upper_bound(track, time, {}, &Body::Fix::time);
   const auto count = static_cast<std::size_t>(after - track.begin());

@@ -15,8 +15,8 @@ constexpr std::array<std::array<Vector, 4>, 4> rings{
      {{{2.0, 0.0, 0.0}, {-2.0, 0.0, 0.0}, {0.0, 2.0, 0.0}, {0.0, -2.0, 0.0}}},
      {{{2.0, 2.0, 0.0}, {-2.0, 2.0, 0.0}, {2.0, -2.0, 0.0}, {-2.0, -2.0, 0.0}}}}};
 
-/// The current at `depth_m`, linear between levels. If there is no water so deep, that of the deepest level
-/// with water.
+/// The current at `depth_m`, linear between levels. Below the deepest level with water, the current of this
+/// level.
 std::optional<geo::VelocityEn> down_to(const ocean::CurrentGrid& grid, geo::LonLat place, double depth_m,
                                        core::UtcTime time) {
   const auto& levels = grid.samples().depths_m;

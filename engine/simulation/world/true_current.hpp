@@ -12,8 +12,8 @@ namespace floeplan::simulation {
 
 /// The true velocity of the water: a uniform flow, the forecast if there is one, and the forecast's error.
 /// Frame    east and north of the flight's frame, m/s; no vertical component
-/// Depth    above the forecast's first level the current of that level, below its last level that of the
-///          last; where the model's water is shallower, the current of its deepest water
+/// Depth    above the first level of the forecast the current of the first level, below the last level the
+///          current of the last. Where the model's water is shallower, the current of its deepest water
 /// Coast    for a node without water, the current of the nearest water up to two cells away: models have
 ///          coarse coasts
 /// Outside  empty outside the forecast's area (and those cells) and period; a steady forecast is valid at

@@ -309,7 +309,7 @@ void print_everything(const json& plan) {
   print_departures(plan);
 }
 
-/// Where and why, what to do, and line by line the changes with which there is a plan.
+/// The place and the reason, the advice, and one line for each change of the request that makes a plan possible.
 std::string why_no_plan(const json& document) {
   const json& at = document.at("at");
   std::string text = document.at("explanation").get<std::string>() +

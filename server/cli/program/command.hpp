@@ -51,9 +51,9 @@ class BadDataError : public std::runtime_error {
 /// Errors   std::runtime_error
 void refuse_store_at_server(const Program& program);
 
-/// The store of a command that asks for what is stored.
-/// Errors   std::runtime_error where --data names a folder that is not there: from a mistyped path a plan would be one
-///          through an empty sea; else as `open_store`
+/// The store of a command that reads stored data.
+/// Errors   std::runtime_error if the folder of --data does not exist: a plan from a mistyped path would lead
+///          through an empty sea. Otherwise the errors of `open_store`
 [[nodiscard]] sql::Connection open_existing_store(const Program& program);
 
 [[nodiscard]] core::UtcTime now();
@@ -65,7 +65,7 @@ void refuse_store_at_server(const Program& program);
 
 /// Prints one line on stderr: "floeplan: what; why; what to do". Returns `code`.
 int complain(ExitCode code, const std::string& sentence);
-/// The same with a message of the catalogue.
+/// Prints the message of the catalogue with this code, and returns the exit code.
 template <messages::Code message, class... Given>
 int complain(ExitCode code, const Given&... values) {
   return complain(code, messages::command_text<message>(values...));

@@ -182,7 +182,7 @@ struct Said {
   json operator()(const std::optional<int>& number) const { return number ? json(*number) : json(); }
   json operator()(const std::optional<double>& number) const {
     if (!number) return {};
-    // JSON has no such number; null would mean that the flag is not given.
+    // JSON has no number that is not finite, and null would mean that the flag is not given.
     return std::isfinite(*number) ? json(*number) : json("a number that is not finite");
   }
   json operator()(const std::optional<std::string>& text) const {

@@ -22,8 +22,8 @@ class InputFlags {
   /// Adds the flags of all fields that have one.
   void add(CLI::App& command, const std::vector<fields::Field>& list);
 
-  /// The inputs. Throws CLI::ValidationError (wrong usage) for a flag with an invalid text, and for a request
-  /// file what `read_object` throws.
+  /// The inputs. Throws CLI::ValidationError (wrong usage) for a flag with an invalid text, and the errors of
+  /// `read_object` for a request file.
   [[nodiscard]] nlohmann::json inputs() const;
 
  private:

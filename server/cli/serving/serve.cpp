@@ -160,9 +160,9 @@ std::optional<std::string> fault_of(const ServeOptions& options, const http::Lis
   return std::nullopt;
 }
 
-/// Looks at every page. What is damaged answers with an error from here on, and cannot be written over; all else is served.
-/// Returns  how many pages have changed
-/// At a database server, which checks its pages itself, none
+/// Checks every page of the database. Requests for damaged data are then answered with an error, and damaged data
+/// are not written over. All other data are served.
+/// Returns  the number of damaged pages. 0 at a database server, which checks its pages itself
 std::size_t logged_damage(const ServeOptions& options) {
   if (options.server) return 0;
   const bool is_new = !std::filesystem::exists(sql::database_in(options.store));

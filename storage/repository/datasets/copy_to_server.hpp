@@ -8,9 +8,10 @@
 
 namespace floeplan::repository {
 
-/// What `take_over_datasets` does where a server keeps this store: all rows go over in one transaction, which nobody sees
-/// before its end, which hinders no other writer, and which is undone when this process dies.
-/// `arrived`  a store of this process's own to which the other one is attached as "arrived"
+/// Does the work of `take_over_datasets` where a database server keeps this store. All rows go over in one
+/// transaction. Others see the rows only at its end and may write meanwhile. If this process dies, the server
+/// undoes the transaction.
+/// `arrived`  a store of this process's own, with the other store attached as "arrived"
 std::vector<DatasetId> copy_to_server(sql::Connection& arrived, sql::Connection& server);
 
 }  // namespace floeplan::repository

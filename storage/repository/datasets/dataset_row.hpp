@@ -11,7 +11,7 @@ namespace floeplan::repository {
 /// The row number by which other tables refer to a dataset; nullopt if there is no such dataset.
 [[nodiscard]] std::optional<std::int64_t> find_dataset_row(sql::Connection& db, const DatasetId& id);
 
-/// The same for a dataset that must exist because its data are being written.
+/// The row number of a dataset that must exist, because its data are being written.
 /// Errors  std::invalid_argument when the dataset is not in the list
 [[nodiscard]] std::int64_t dataset_row(sql::Connection& db, const DatasetId& id);
 

@@ -40,7 +40,7 @@ struct EnvironmentDraft {
     environment.datasets.push_back(
         {dataset.id.value, kind_name(dataset.kind), dataset.name, dataset.provenance.sha256, dataset.run});
   }
-  /// The same for one of several datasets that were joined in time.
+  /// Cites one of several datasets that were joined in time, with the period for which it was used.
   void cite(const Dataset& dataset, const Period& used) {
     cite(dataset);
     environment.datasets.back().from = used.from;

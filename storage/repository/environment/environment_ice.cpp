@@ -16,7 +16,7 @@ namespace {
 constexpr core::Seconds longest_mission{30.0 * 86400.0};
 /// Chosen: ice that ended longer than this before the departure says nothing about keels at the departure.
 constexpr core::Seconds longest_memory{30.0 * 86400.0};
-/// Chosen: more than one a day of such a mission.
+/// Largest number of products that are read. Our choice: more than one for each day of such a mission.
 constexpr std::size_t most_products = 40;
 /// Chosen, because each has to be read: how many older products are checked for values in gaps of newer ones
 /// that cover their whole time and area except gaps or land.
@@ -194,8 +194,8 @@ void adopt_ice(EnvironmentDraft& draft, const std::vector<Product>& used) {
   }
 }
 
-/// Order in which datasets are read: those of the mission, then those that end before it, and last those with
-/// areas only. So these are read only for what the others leave open.
+/// The datasets in the order in which they are read: first datasets of the mission's time, then datasets that
+/// end before it, last datasets that hold only areas. So the last ones only fill gaps of the others.
 std::vector<Dataset> in_order(std::vector<Dataset> found, const Period& mission) {
   std::ranges::stable_partition(found, [&](const Dataset& dataset) { return !is_over(dataset, mission); });
   std::ranges::stable_partition(found, std::not_fn(is_areas_alone));

@@ -199,7 +199,7 @@ void add_wind(EnvironmentDraft& draft) {
   }
 }
 
-/// Reports zones of the area that are not used, because nothing else in the plan shows it.
+/// Reports the zones of the area that are not used, because the plan does not show them otherwise.
 void tell_of_zones_left_out(EnvironmentDraft& draft) {
   const DatasetChoice all;
   for (const Dataset& dataset :

@@ -14,7 +14,7 @@ namespace floeplan::repository {
 /// Errors   are added to the draft's violations
 void add_bathymetry(EnvironmentDraft& draft);
 
-/// How far a berg drifts at 0.4 m/s in three days: from that far outside it may come into the area.
+/// Distance outside an area from which icebergs may drift into it: 0.4 m/s for three days.
 inline constexpr core::Metres reach_of_drift{100'000.0};
 
 /// The region in which the drift of the draft's icebergs needs currents of a dataset: around the area as far

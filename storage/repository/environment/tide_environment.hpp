@@ -49,7 +49,7 @@ struct Tides {
 void lay_tides(ocean::Environment& environment, const Tides& tides, TidesMode mode,
                const ocean::TidePeriod& period);
 
-/// The same for the currents that carry icebergs; the models must cover their area.
+/// Adds the tides to the currents that carry icebergs. The models must cover the area of these currents.
 void lay_drift_tides(ocean::Environment& environment, const Tides& tides, TidesMode mode,
                      const ocean::TidePeriod& period);
 

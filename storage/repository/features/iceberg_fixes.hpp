@@ -11,8 +11,9 @@
 
 namespace floeplan::repository {
 
-/// Where a dataset saw an iceberg, in the order of time: of several sightings at one time the one stored last.
-/// `from`, `before`  only sightings at or after the one and before the other; empty: all
+/// The places at which a dataset saw an iceberg, in the order of time. Of several sightings at one time, only the
+/// one stored last.
+/// `from`, `before`  only sightings at or after `from` and before `before`; empty: no limit
 [[nodiscard]] std::vector<ocean::IcebergFix> iceberg_fixes(sql::Connection& db, const DatasetId& dataset,
                                                            const std::string& berg_id,
                                                            std::optional<core::UtcTime> from = {},

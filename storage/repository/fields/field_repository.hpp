@@ -93,7 +93,8 @@ class FieldRepository {
       std::optional<core::Metres> deepest, std::optional<core::Metres> shallowest, CurrentBlocks& kept) const;
   [[nodiscard]] std::optional<ocean::Bathymetry> load_bathymetry(const DatasetId& id,
                                                                  const geo::BoundingBox& area) const;
-  /// As load_currents, without depths. The result has a thickness if any slice of thickness is stored.
+  /// Loads sea ice as load_currents loads currents, but without depths. The result has a thickness if any
+  /// slice of thickness is stored.
   [[nodiscard]] std::optional<ocean::IceField> load_ice(const DatasetId& id, const geo::BoundingBox& area,
                                                         std::optional<Period> period) const;
 

@@ -82,8 +82,8 @@ class NodeSampling {
     return std::get<ocean::MeshSampling>(sampling_).apply(slice);
   }
 
-  /// Depths of a level at the nodes; if each point has one component, first at those of the first, then of
-  /// the second.
+  /// Depths of a level at the nodes. If each point has only one component, first the depths for the points of
+  /// the first component, then for the points of the second.
   [[nodiscard]] std::vector<float> depths(const std::vector<float>& level) const {
     if (const auto* apart = std::get_if<ocean::StaggeredSampling>(&sampling_)) {
       auto [first, second] = apart->apply_to_numbers(level);

@@ -29,9 +29,9 @@ struct NativeLayout {
 /// Whether an area is a place.
 [[nodiscard]] bool is_one_place(const geo::BoundingBox& area);
 
-/// The nodes at which the values of a part of a mesh are interpolated when they are read: those of the dataset's lattice
-/// about the area, refined where the model is finer; of an area without extent that place alone, so that a point of the
-/// model has the model's own value.
+/// The nodes at which the values of a part of a mesh are interpolated when they are read: the nodes of the
+/// dataset's lattice about the area, refined where the model is finer. For an area without extent the only
+/// node is that place, so a point of the model has the model's own value.
 [[nodiscard]] ocean::HorizontalGrid nodes_of_use(const geo::BoundingBox& area,
                                                  const ocean::HorizontalGrid& lattice,
                                                  const ocean::Mesh& part);

@@ -17,7 +17,7 @@ namespace floeplan::repository {
 /// Triggers, keys and indices are in the server's own words.
 [[nodiscard]] const char* server_schema();
 
-/// What this program writes; older ones are brought to it, newer ones refused.
+/// The schema that this program writes. Stores with older schemas are converted to it, newer ones are refused.
 [[nodiscard]] std::int64_t newest_schema();
 
 /// Since this schema the pages of a database have checksums.

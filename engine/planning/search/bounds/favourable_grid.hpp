@@ -75,9 +75,9 @@ class FavourableGrid {
   std::optional<currents::CurrentEnvelope> envelope_;  // empty: still water
 };
 
-/// Lowers the times of vertices from those of their neighbours until none falls any more (Dijkstra). A vertex
-/// with a time passes it on by for_each_next(vertex, time_s, visit), which calls visit(next, time at next in
-/// seconds).
+/// Lowers the time of each vertex to the best time through a neighbour, until no time falls any more
+/// (Dijkstra). for_each_next(vertex, time_s, visit) calls visit(next, time at next in seconds) for each
+/// neighbour of a vertex.
 /// Stops  early once `stop` is requested; the times must then not be used
 template <class ForEachNext>
 void lower_times(std::vector<double>& times_s, double latest_s, const std::stop_token& stop,

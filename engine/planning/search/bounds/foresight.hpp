@@ -41,7 +41,7 @@ class Foresight {
                                                     const Minding& minding);
 
   /// The latest useful times at vertices for a vehicle that leaves the start at `depart` and must reach the
-  /// goal by `arrive`. The tree is that of a time-reversed search: its arrival at a vertex is minus the
+  /// goal by `arrive`. The tree is the result of a time-reversed search: its arrival at a vertex is minus the
   /// latest useful time. A vertex that the tree does not reach is of no use.
   /// Law      no route of open legs that reaches the goal by `arrive` is at a vertex later. Only currents
   ///          count here: a leg that is closed for a while counts as open
@@ -53,8 +53,9 @@ class Foresight {
   /// of no use for an arrival at the goal by `arrive`. A closed vertex is reached when it reopens.
   [[nodiscard]] graph::SearchTree sweep_forth(core::Seconds depart, core::Seconds arrive,
                                               const std::stop_token& stop, VertexClosures& closures);
-  /// As `until_when_of_use`, but for exactly these two times, not cached, and closed vertices cannot be
-  /// entered: a vehicle that could not arrive while a vertex is open again must be there before it closes.
+  /// The latest useful times for exactly these two times; not cached. Unlike in `until_when_of_use`, closed
+  /// vertices cannot be entered. If a vehicle cannot wait until a vertex reopens and still arrive, it must be
+  /// there before the vertex closes.
   /// `earliest`: result of `sweep_forth` for the same departure and the same or a later arrival
   [[nodiscard]] graph::SearchTree sweep_back(core::Seconds depart, core::Seconds arrive,
                                              const std::stop_token& stop, VertexClosures& closures,

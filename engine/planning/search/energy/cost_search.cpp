@@ -126,7 +126,7 @@ class KnownLimit {
       cost = least_cost_along(sea, open, faster.path, request.objective(), beginning);
       has_way = !faster.path.empty();
     }
-    // Where the time without surfacing is bounded, a search may have reached its bound on labels.
+    // If the time without surfacing is limited, a search without a route may only have reached its limit of labels.
     is_hopeless_ = !has_way && !sea.domain().overhead().bounds_surfacing();
     if (is_hopeless_ || !guide.foresight().is_useful()) return;
     if (!std::isfinite(cost) || stop.stop_requested()) return;

@@ -14,8 +14,8 @@ namespace floeplan::planning::search {
 /// Bound of the rounding error of sums of edge times, in seconds.
 inline constexpr double rounding_of_times_s = 1e-3;
 
-/// A grid in a planning domain, with those of its vertices that are ever open. It is made once and searched for any
-/// departure.
+/// A grid in a planning domain, without the vertices that are never open. It is made once and then searched
+/// for any departure.
 struct OpenGrid {
   cost::RouteGrid grid;
   graph::GridGraph graph;

@@ -16,11 +16,11 @@ struct HourlyReach {
   std::vector<bool> reached;
 };
 
-/// Divides the time from the departure on into spans. For one span after the other it finds where a vehicle may
-/// surface within it, where it can go from there before it must surface again, and in which spans it may do so. Ice
-/// that has closed, or opens only later, is thus not counted as open. Spans after the last one from which the goal
-/// can be reached are skipped.
-/// Law      a vehicle that keeps the limit is at no vertex that is not reached
+/// Divides the time from the departure on into spans. For each span in turn it finds the places where a vehicle
+/// may surface, the places that it can reach from there before it must surface again, and the spans in which it may
+/// do so. So water that has closed, or reopens only later, does not count as open. Spans after the last one from
+/// which the goal can be reached are skipped.
+/// Law      a vehicle that keeps the limit is only at vertices that are reached
 /// Accuracy a span is half the limit wide, more if the period would have too many of them. A lead counts as open for
 /// its whole span, and surfacings as possible until the limit after its end
 /// Stops    early once `stop` is requested; the result must then not be used
