@@ -171,6 +171,15 @@ inline constexpr auto ingest_depth_kinds = std::to_array<Kind>({
              "this is read wrongly, land and sea are swapped",
      .hint = "State --positive up (elevations) or --positive down (depths)",
      .slots = {{{"variable", "z"}, {"range", "0 to 500"}}}},
+    {.code = "depths-or-ice",
+     .rank = Rank::caution,
+     .text = "the file does not say what \"{variable}\" is. Its values run from {range}: they may be depths, "
+             "elevations or "
+             "percent of sea ice",
+     .hint = "If they are sea ice, give --kind ice --variable {variable} and --time; if not, --positive down "
+             "(depths) or "
+             "--positive up (elevations)",
+     .slots = {{{"variable", "z"}, {"range", "0 to 100"}}}},
     {.code = "vertical-sense-of-the-globe",
      .rank = Rank::note,
      .text = "the file does not say whether \"{variable}\" is elevation or depth. It covers the whole globe "

@@ -230,6 +230,11 @@ inline constexpr auto ingest_file_kinds = std::to_array<Kind>({
      .text = "from a raster of this format, this program reads only depths. It reads sea ice from NetCDF",
      .hint = "Convert the raster with gdal_translate -of netCDF IN.tif OUT.nc. Then give OUT.nc with --kind "
              "ice --variable Band1 and --time"},
+    {.code = "ice-not-named",
+     .rank = Rank::caution,
+     .text = "the file does not say that any of its variables is a concentration of sea ice",
+     .hint = "If \"{variable}\" is one, give --variable {variable}",
+     .slots = {{{"variable", "z"}}}},
     {.code = "other-kind-than-stated",
      .rank = Rank::caution,
      .text = "the file holds {held}, not {stated}",

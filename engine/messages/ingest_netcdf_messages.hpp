@@ -67,6 +67,12 @@ inline constexpr auto ingest_netcdf_kinds = std::to_array<Kind>({
      .text = "the {what} \"{axis}\" states no unit and was read as metres",
      .hint = "Check that this is right",
      .slots = {{{"what", "depth axis"}, {"axis", "depth"}}}},
+    {.code = "depths-negative-downwards",
+     .rank = Rank::note,
+     .text = "the depth axis \"{axis}\" claims to count downwards, but none of its values is above zero "
+             "({range}). "
+             "They were read as heights, which are negative below the sea surface",
+     .slots = {{{"axis", "Z"}, {"range", "-100 to -5"}}}},
     {.code = "depths-impossible",
      .rank = Rank::caution,
      .text = "the depth axis \"{axis}\" runs from {range}, deeper than any ocean. Its unit or its direction "
@@ -198,6 +204,15 @@ inline constexpr auto ingest_netcdf_kinds = std::to_array<Kind>({
              "its values are not known",
      .hint = "Ask for a file with longitude, latitude, depth and time coordinates",
      .slots = {{{"dimension", "n"}, {"variable", "uo"}}}},
+    {.code = "times-without-start",
+     .rank = Rank::caution,
+     .text = "the time axis \"{axis}\" of \"{variable}\" counts in \"{unit}\" from a start that the file "
+             "does not "
+             "state, so its times are not known",
+     .hint = "State the start of the run in its units, for example with ncatted -a "
+             "\"units,{axis},o,c,seconds since "
+             "2026-01-01\" FILE.nc",
+     .slots = {{{"axis", "T"}, {"variable", "U"}, {"unit", "s"}}}},
     {.code = "layout-of-a-mesh",
      .rank = Rank::caution,
      .text = "the file is the output of a model on a mesh of triangles or cells, such as FVCOM, SELFE and "

@@ -221,6 +221,13 @@ Checked<bool> look_into_netcdf(RecognisedFile& file, const Expectation& expected
   return true;
 }
 
+std::optional<messages::Message> ice_not_named(const NetcdfFile& file) {
+  const NetcdfVariable* const plane = find_bathymetry(file, true);
+  if (plane == nullptr || !standard_name_of(*plane).empty() || !plane->attribute("units").empty())
+    return std::nullopt;
+  return messages::ingest_file_message<"ice-not-named">(plane->name());
+}
+
 Checked<PreparedDataset> read_netcdf(const Reading& reading) {
   const RecognisedFile& file = reading.file;
   const IngestOptions& options = reading.options;

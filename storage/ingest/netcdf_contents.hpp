@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,10 @@ namespace floeplan::ingest {
 ///          what it holds);
 ///          several groups hold data
 [[nodiscard]] Checked<bool> look_into_netcdf(RecognisedFile& file, const Expectation& expected);
+
+/// The refusal of a file that was said to hold sea ice, but whose only plane says nothing of what it is; nullopt if it has
+/// no such plane.
+[[nodiscard]] std::optional<messages::Message> ice_not_named(const NetcdfFile& file);
 
 /// Reads one of the kinds that look_into_netcdf found.
 [[nodiscard]] Checked<PreparedDataset> read_netcdf(const Reading& reading);

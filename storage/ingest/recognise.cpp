@@ -4,6 +4,7 @@
 
 #include "engine/messages/ingest_file_messages.hpp"
 #include "storage/ingest/format_of.hpp"
+#include "storage/ingest/netcdf_contents.hpp"
 #include "storage/ingest/readers/velocity/velocity_pair.hpp"
 
 namespace floeplan::ingest {
@@ -31,6 +32,8 @@ Checked<RecognisedFile> recognise(const std::filesystem::path& file, const Expec
   const bool held = std::ranges::find(result.kinds, *expected.kind) != result.kinds.end();
   if (!held && *expected.kind == DatasetKind::ice && result.format->is_plain_raster)
     return refuse(messages::ingest_file_message<"raster-of-no-depths">());
+  if (!held && *expected.kind == DatasetKind::ice && result.netcdf && !expected.variable)
+    if (auto unnamed = ice_not_named(*result.netcdf)) return refuse(std::move(*unnamed));
   const bool moves = *expected.kind == DatasetKind::currents || *expected.kind == DatasetKind::wind;
   if (!held && moves && result.netcdf) {
     const Moving what = *expected.kind == DatasetKind::currents ? Moving::sea : Moving::air;

@@ -61,7 +61,9 @@ geo::BoundingBox HorizontalGrid::bounds() const {
     rim.push_back(place(0, iy));
     rim.push_back(place(x_.size() - 1, iy));
   }
-  geo::BoundingBox box = geo::bounding_box(std::span<const geo::LonLat>{rim});
+  // A node may be beside itself by the rounding of the projection.
+  constexpr core::Metres rounding{1e-5};
+  geo::BoundingBox box = geo::grown(geo::bounding_box(std::span<const geo::LonLat>{rim}), rounding);
   if (const auto* polar = std::get_if<geo::PolarStereographicFrame>(&frame_)) {
     const double pole_deg = polar->north ? 90.0 : -90.0;
     if (locate({0.0, pole_deg})) {

@@ -109,9 +109,14 @@ std::optional<GridWindow> window_of_projected(const ocean::HorizontalGrid& grid,
     }
     row_before = std::move(row);
   }
-  const double margin = bulge * widest;
-  auto x_window = window_around(grid.x(), x.low - margin, x.high + margin);
-  auto y_window = window_around(grid.y(), y.low - margin, y.high + margin);
+  const auto around = [&](const ocean::Axis& axis, const Extent& extent) {
+    // A place at a node of the rim may be beside it by the rounding of the projection.
+    constexpr double rounding = 1e-6;  // of a step, as Axis::locate has it
+    const double margin = bulge * widest + rounding * axis.mean_step();
+    return window_around(axis, extent.low - margin, extent.high + margin);
+  };
+  auto x_window = around(grid.x(), x);
+  auto y_window = around(grid.y(), y);
   if (!x_window || !y_window) return std::nullopt;
   return GridWindow{std::move(*x_window), std::move(*y_window)};
 }

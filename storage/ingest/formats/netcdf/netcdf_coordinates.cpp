@@ -92,10 +92,15 @@ Checked<AxisNodes> depth_nodes(const NetcdfVariable& coordinate, Messages& warni
   const bool all_below_zero =
       std::all_of(values->begin(), values->end(), [](double v) { return v <= 0.0; }) &&
       std::any_of(values->begin(), values->end(), [](double v) { return v < 0.0; });
-  const bool up = positive == "up" || (positive != "down" && (all_below_zero || is_height));
+  // Tools for MITgcm write heights below zero and say "down"; nothing lies above the sea.
+  const bool contradicts_itself = positive == "down" && all_below_zero;
+  const bool up = positive == "up" || all_below_zero || (positive != "down" && is_height);
   const auto [least, greatest] = std::ranges::minmax(*values);
   const std::string stated = number(least, 9) + " to " + number(greatest, 9) +
                              (unit.empty() ? "" : " " + unit) + (up ? ", upwards" : ", downwards");
+  if (contradicts_itself)
+    warnings.push_back(messages::ingest_netcdf_message<"depths-negative-downwards">(
+        coordinate.name(), number(least, 9) + " to " + number(greatest, 9)));
   for (double& value : *values) value *= up ? -*factor : *factor;
   for (double& value : *values)
     if (value == 0.0) value = 0.0;  // -0 becomes 0

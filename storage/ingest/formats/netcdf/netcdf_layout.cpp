@@ -6,6 +6,7 @@
 #include "engine/messages/ingest_netcdf_messages.hpp"
 #include "storage/ingest/formats/netcdf/mean_times.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_coordinates.hpp"
+#include "storage/ingest/notation/cf_time.hpp"
 #include "storage/ingest/notation/text.hpp"
 
 namespace floeplan::ingest {
@@ -99,6 +100,11 @@ messages::Message unknown_dimension(const NetcdfFile& file, const std::string& d
     return messages::ingest_netcdf_message<"several-forecasts">(variable, dimension);
   if (const auto group = group_with_coordinates(file, dimension))
     return messages::ingest_netcdf_message<"coordinates-of-another-group">(dimension, variable, *group);
+  if (const NetcdfVariable* axis = file.find(dimension)) {
+    const std::string unit = axis->attribute("units");
+    if (CfTime::parse(unit + " since 2000-01-01", ""))
+      return messages::ingest_netcdf_message<"times-without-start">(dimension, variable, unit);
+  }
   return messages::ingest_netcdf_message<"dimension-without-coordinates">(dimension, variable);
 }
 

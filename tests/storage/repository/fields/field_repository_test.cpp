@@ -353,6 +353,26 @@ TEST_F(FieldRepositoryTest, ReadsOnlyAPartOfAProjectedGrid) {
   EXPECT_LT(window->grid().size(), 600U);
 }
 
+TEST_F(FieldRepositoryTest, FindsTheNodesOnTheRimOfAProjectedGrid) {
+  for (const geo::GridFrame& frame :
+       {geo::GridFrame{geo::PolarStereographicFrame{true, 75.0, 0.0}},
+        geo::GridFrame{geo::TransverseMercatorFrame{.lon_0_deg = -51.0, .false_easting_m = 500'000.0}}}) {
+    const double north_m = std::holds_alternative<geo::PolarStereographicFrame>(frame) ? -2.2e6 : 7.6e6;
+    std::mt19937_64 rng{1};
+    const ocean::HorizontalGrid grid{frame, axis(4e5, 200.0, 40), axis(north_m, 200.0, 30)};
+    store_noise(rng, grid);
+    const geo::BoundingBox box = grid.bounds();
+    for (std::size_t iy = 0; iy < 30; ++iy)
+      for (std::size_t ix = 0; ix < 40; ix += iy == 0 || iy == 29 ? 1 : 39) {
+        const geo::LonLat place = grid.place(ix, iy);
+        EXPECT_TRUE(geo::contains(box, place)) << ix << " " << iy;
+        EXPECT_TRUE(
+            fields_.load_bathymetry(id_, {place.lon_deg, place.lat_deg, place.lon_deg, place.lat_deg}))
+            << ix << " " << iy;
+      }
+  }
+}
+
 TEST_F(FieldRepositoryTest, HasNothingWhereGridAndAreaDoNotMeet) {
   std::mt19937_64 rng{1};
   store_noise(rng, {geo::GeographicFrame{}, axis(-60.0, 1.0, 10), axis(60.0, 1.0, 10)});

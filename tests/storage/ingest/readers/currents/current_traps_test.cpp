@@ -191,6 +191,38 @@ TEST_F(CurrentTraps, DepthsThatCountUpwardsBecomePositiveDownAndAscend) {
   EXPECT_FLOAT_EQ(samples.u[0], static_cast<float>(file.value('u', 0, 2, 0, 0)));
 }
 
+/// xmitgcm writes the levels of MITgcm so.
+TEST_F(CurrentTraps, DepthsBelowZeroThatClaimToCountDownwardsAreHeights) {
+  CurrentFile file;
+  file.depths = {-2.0, -5.0, -9.0};
+  file.depth_texts = {{"units", "m"}, {"positive", "down"}, {"standard_name", "depth"}};
+
+  const auto samples = stored(file);
+
+  EXPECT_THAT(samples.depths_m->nodes(), ElementsAre(2.0, 5.0, 9.0));
+  EXPECT_FLOAT_EQ(samples.u[0], static_cast<float>(file.value('u', 0, 0, 0, 0)));
+  EXPECT_THAT(words(report_), HasSubstr("They were read as heights"));
+}
+
+/// The state files of MITgcm's own package for NetCDF.
+TEST_F(CurrentTraps, TimesWithoutAStartAreNamed) {
+  {
+    NetcdfWriter file{path("state.nc")};
+    file.axis("T", {0.0, 86400.0}, {{"units", "s"}, {"long_name", "model_time"}});
+    file.axis("Y", {50.0, 50.1, 50.2}, {{"units", "degrees_north"}});
+    file.axis("X", {-52.0, -51.9, -51.8}, {{"units", "degrees_east"}});
+    for (const char* const name : {"UVEL", "VVEL"})
+      file.variable({.name = name,
+                     .dimensions = {"T", "Y", "X"},
+                     .values = std::vector<double>(18, 0.25),
+                     .texts = {{"units", "m/s"}},
+                     .numbers = {},
+                     .fill = {}});
+  }
+
+  expect_refused(path("state.nc"), "counts in \"s\" from a start that the file does not state");
+}
+
 TEST_F(CurrentTraps, DimensionsMayComeInAnyOrder) {
   CurrentFile file;
   file.depths = {0.0, 10.0};

@@ -149,6 +149,24 @@ TEST_F(IceTest, AVariableThatTheUserNamesIsIceWhereIceIsAskedFor) {
   EXPECT_FLOAT_EQ(samples.concentration[4], 0.4F);
 }
 
+TEST_F(IceTest, AVariableThatSaysNothingOfItselfIsNotTakenForDepths) {
+  {
+    NetcdfWriter file{path("ice.nc")};
+    file.axis("lat", {70.0, 70.1}, {{"units", "degrees_north"}});
+    file.axis("lon", {-52.0, -51.9, -51.8}, {{"units", "degrees_east"}});
+    file.variable({.name = "z",
+                   .dimensions = {"lat", "lon"},
+                   .values = {0.0, 35.5, 100.0, 80.0, 15.0, 0.0},
+                   .texts = {{"long_name", "z"}},
+                   .numbers = {},
+                   .fill = {}});
+  }
+
+  expect_refused(path("ice.nc"), "If they are sea ice, give --kind ice --variable z");
+  expect_refused(path("ice.nc"), "If \"z\" is one, give --variable z",
+                 {.kind = repository::DatasetKind::ice});
+}
+
 TEST_F(IceTest, AThicknessAloneIsRefusedAsSuch) {
   IceFile file;
   file.name = "sea_ice_thickness";
