@@ -37,7 +37,7 @@ class Obstacles {
   void collect(const ObjectMap& objects, geo::PlanePoint own_in_water, double reach_m);
 
   [[nodiscard]] std::span<const Obstacle> all() const { return {list_.data(), size_}; }
-  /// Distance from a place to the nearest surface; empty: there is none.
+  /// Distance from a place to the nearest surface; empty if there is none.
   [[nodiscard]] std::optional<double> nearest_m(geo::PlanePoint place) const;
 
  private:

@@ -9,7 +9,7 @@
 /// times.
 namespace floeplan::core {
 
-/// A person hardly corrects more at once.
+/// Largest number of violations in a list. A person hardly corrects more at once.
 inline constexpr std::size_t most_violations = 100;
 
 /// Adds a violation, with its texts cut short. If the list already holds `most_violations`, adds one that

@@ -1,11 +1,11 @@
-/// Functions of <math.h> whose results in the C library differ between processors, under their own names.
-/// Every call in the process is bound to these. For the program the linker does it, which finds them before
-/// the C library. For shared libraries (GeographicLib, PROJ, NLopt, GDAL) the loader does it, which searches
-/// the program first; so they must be in the program's dynamic symbol table: exported_names.txt.
-/// All other functions come from the C library: those with exact results (sqrt, fmod, floor), and those with
-/// only one version (hypot, cbrt); tests compare their bits with and without fused multiply-add. The
-/// library's complex functions call its own real ones and not these, so std::pow, exp and log of complex
-/// numbers must not be used.
+/// Functions of <math.h> under their own names. Their versions in the C library give different results on
+/// different processors, so every call in the process is bound to these functions. The linker binds the calls of
+/// the program, because it finds these functions before the C library. The loader binds the calls of shared
+/// libraries (GeographicLib, PROJ, NLopt, GDAL), because it searches the program first. For this the functions must
+/// be in the program's dynamic symbol table: exported_names.txt.
+/// The C library provides the functions with exact results (sqrt, fmod, floor) and the functions with only one
+/// version (hypot, cbrt). Tests compare their bits with and without fused multiply-add. The complex functions of the
+/// C library call its own real functions and not these, so std::pow, exp and log of complex numbers must not be used.
 
 #include "engine/elementary/elementary.hpp"
 

@@ -35,7 +35,7 @@ struct NearbyCurrent {
   static constexpr std::size_t quarters = 4;
   using ByQuarter = std::array<float, quarters>;
 
-  /// Index of the quarter that an edge leads into, by whether it goes down each axis.
+  /// Index of the quarter of the plane into which an edge leads. `down_u`, `down_v`: it leads down this axis.
   static constexpr std::size_t quarter(bool down_u, bool down_v) {
     return (down_u ? 1U : 0U) + (down_v ? 2U : 0U);
   }

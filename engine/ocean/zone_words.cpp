@@ -295,7 +295,7 @@ class Senses {
   std::vector<Word> words_;
 };
 
-/// The meaning of a name about depths; `nothing`: it is not about depths.
+/// The meaning of a name about depths; `nothing` if it is not about depths.
 AttributeMeaning depth_meant(const Senses& senses) {
   using enum AttributeMeaning;
   const bool known = senses.are_only(Sense::depth, Sense::upper, Sense::lower, Sense::least, Sense::most,
@@ -317,7 +317,7 @@ AttributeMeaning depth_meant(const Senses& senses) {
   return senses.has(Sense::least) || senses.has(Sense::most) ? unclear_depth : depths;
 }
 
-/// The meaning of a name about times; `nothing`: it is not about times.
+/// The meaning of a name about times; `nothing` if it is not about times.
 AttributeMeaning time_meant(const Senses& senses) {
   using enum AttributeMeaning;
   const bool holds = senses.has(Sense::validity);

@@ -149,7 +149,7 @@ Isochrone to_area(const std::vector<graph::GridPolygon>& polygons, const cost::R
   return area;
 }
 
-/// Why the vehicle cannot be at the place when it leaves it or has to arrive; empty: it can.
+/// Why the vehicle cannot be at the place at its departure or arrival; empty if it can.
 std::optional<motion::EdgeClosed> closed_place(const cost::Sea& sea, geo::PlanePoint place,
                                                const IsochroneRequest& request) {
   if (const auto closed = sea.domain().safety().closed_at(request.place)) return closed;

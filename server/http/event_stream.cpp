@@ -34,7 +34,7 @@ class WakeUp {
     timer_.expires_at(moment);
     if (!woken_) co_await timer_.async_wait(net::redirect_error(net::use_awaitable, ignored));
   }
-  /// Whether it was woken since the last call.
+  /// Whether the stream was woken since the last call.
   bool take() { return std::exchange(woken_, false); }
 
  private:
@@ -77,7 +77,7 @@ net::awaitable<std::size_t> Session::stream(Request& request, Response piece) {
                                 net::redirect_error(net::use_awaitable, error));
       break;
     }
-    // Changes before the subscription are found by asking once more, immediately.
+    // The second piece is requested without a wait, because changes before the subscription woke nobody.
     const auto heartbeat =
         steady_clock::now() + std::chrono::duration_cast<std::chrono::milliseconds>(piece.wait->at_most);
     bool due = false;

@@ -73,8 +73,8 @@ void allow_memory(void* filter) {
   allow(filter, "mprotect", {masked(2, PROT_EXEC, 0)});
 }
 
-/// Allows threads, but no processes. The flags of clone3 are in memory, which a filter cannot read; as if it
-/// did not exist, the C library uses clone instead.
+/// Allows threads, but no processes. The flags of clone3 are in memory, which a filter cannot read. So clone3 is
+/// answered as if it did not exist, and the C library uses clone instead.
 void allow_threads(void* filter) {
   allow(filter, "clone", {masked(0, CLONE_THREAD | CLONE_VM, CLONE_THREAD | CLONE_VM)});
   seccomp_rule_add(filter, SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3), 0);

@@ -24,7 +24,7 @@ std::optional<std::int64_t> change_of(const std::string& text) {
   return change && *change >= 0 ? change : std::nullopt;
 }
 
-/// The client's Last-Event-ID; empty: it has seen no event.
+/// The client's Last-Event-ID; empty if the client has seen no event.
 tl::expected<std::optional<std::int64_t>, Response> last_event(const Request& request) {
   const std::string text = request.header("last-event-id");
   if (text.empty()) return std::optional<std::int64_t>{};

@@ -134,7 +134,8 @@ void check_code(std::string_view behavior, const Argument& argument, Messages& m
          messages::mission_file_message<"unknown_code">(argument.name, argument.raw, behavior));
 }
 
-/// `conflicts`: different values are an error. For a b_arg it is unknown which of two values counts.
+/// The message about a setting that is given twice. `conflicts`: different values are an error, as for a b_arg,
+/// because it is unknown which of two values counts.
 messages::Message duplicate(const Argument& setting, const Argument& first, bool conflicts) {
   const auto told = [&]<messages::Code other, messages::Code same>() {
     return first.value == setting.value ? messages::mission_file_message<same>(setting.name, first.line)

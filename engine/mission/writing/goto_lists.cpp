@@ -130,7 +130,7 @@ bool is_beside_ice(const planning::Plan& plan) {
          (plan.surfacing && std::ranges::any_of(plan.surfacing->waypoints, is_near));
 }
 
-/// The message if the vehicle may be unable to surface at the end of the list; empty: it can.
+/// The message if the vehicle may be unable to surface at the end of the list; otherwise empty.
 std::optional<messages::Message> message_of_end(const planning::Plan& plan, const List& list) {
   const std::size_t last = list.part.last;
   const auto told = [&]() -> std::optional<messages::Message> {
@@ -157,8 +157,8 @@ std::optional<messages::Message> message_of_end(const planning::Plan& plan, cons
   return message;
 }
 
-/// The message if the list takes longer than planned, so that its end may be under ice by then; empty: it
-/// does not.
+/// The message if the list takes longer than planned, so that its end may be under ice by then; otherwise
+/// empty.
 std::optional<messages::Message> message_of_delay(const planning::Plan& plan, const List& list) {
   const core::Seconds late = late_by(plan, list.part);
   if (!plan.surfacing || late <= far_later) return std::nullopt;

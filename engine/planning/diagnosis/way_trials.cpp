@@ -174,7 +174,7 @@ class GridTrial {
     return graph::find_earliest_arrivals(open_.graph, query, travel_time, stop_, bound);
   }
 
-  /// A route with holds; without them if one would be longer than allowed.
+  /// A route with holds, or a route without holds if a hold would be longer than allowed.
   template <class LegTimes>
   std::vector<geo::PlanePoint> way_with_holds(core::Seconds depart, const LegTimes& untimed) {
     Way at_once = likely_or_earliest_way(depart, untimed);

@@ -103,7 +103,7 @@ bool is_of_a_search(const Infeasible& why, const PlanRequest& request) {
   }
 }
 
-/// The first constraint without which a route would be possible; empty: there is none.
+/// The first constraint without which a route would be possible; empty if there is none.
 struct Removable {
   std::optional<Constraint> constraint{};
   bool cut_short{false};

@@ -61,8 +61,8 @@ class IcebergDiscs {
   [[nodiscard]] std::vector<TimeSpan> closed_times(geo::PlanePoint point,
                                                    core::Metres grown = core::Metres{0.0}) const;
 
-  /// The iceberg whose disc is nearest to a place; of discs that cover it, the one that reaches farthest
-  /// beyond.
+  /// The iceberg whose disc is nearest to a place. If several discs cover the place, the disc whose rim is
+  /// farthest away.
   struct Nearest {
     std::string name;
     core::Metres from_hull;  // distance of the place from the hull, negative inside

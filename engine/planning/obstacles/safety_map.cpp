@@ -27,7 +27,7 @@ CellState state_of(std::optional<motion::EdgeClosed> verdict) {
   return *verdict == motion::EdgeClosed::too_shallow ? CellState::too_shallow : CellState::outside_data;
 }
 
-/// Why a place with this depth is closed to a vehicle that needs `least_depth`; empty: it is open. An unknown
+/// Why a place with this depth is closed to a vehicle that needs `least_depth`; empty if it is open. An unknown
 /// depth (empty) is closed.
 std::optional<motion::EdgeClosed> judge_depth(std::optional<core::Metres> depth, core::Metres least_depth) {
   if (!depth) return motion::EdgeClosed::outside_data;

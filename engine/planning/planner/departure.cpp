@@ -49,8 +49,8 @@ bool is_robust(const ocean::Environment& environment, const PlanRequest& request
          cost::has_uncertain_currents(environment, request);
 }
 
-/// Number of environments in which each departure is searched: the first, and with a robust objective those
-/// of all members.
+/// Number of environments in which each departure is searched: one, and with a robust objective one more for
+/// each member.
 std::size_t count_of_seas(const ocean::Environment& environment, const PlanRequest& request) {
   return is_robust(environment, request) ? 1 + cost::SeaMembers{environment, request.uncertainty}.size() : 1;
 }

@@ -56,7 +56,7 @@ class ObstacleScan {
   [[nodiscard]] geo::PlanePoint beyond_route(const LargeObstacle& obstacle) const;
 
  private:
-  /// What closes the point; empty: it is open.
+  /// The kind of obstacle that closes the point; empty if it is open.
   [[nodiscard]] std::optional<ObstacleKind> look_at(geo::PlanePoint point) const;
   [[nodiscard]] bool parted_by_route(std::size_t a, std::size_t b) const;
   /// The closed cells connected with `first` by steps of at most `reach` cells along each axis. Marks them in

@@ -28,8 +28,8 @@ constexpr core::Metres least_room{50'000.0};  // eddies are as large on short ro
 constexpr core::Metres most_room{250'000.0};
 constexpr double most_samples = 3.2e7;  // of the currents in the area: 250 MB
 
-/// Plans on two grids agree if their costs differ by at most this share: about the difference between grids
-/// of other spacings in the same currents. A judgement.
+/// Plans on two grids agree if their costs differ by at most this share. Plans on grids of different spacings in
+/// the same currents differ by about as much. A judgement.
 constexpr double agreement = 0.01;
 
 /// Number of timed legs that counts as much work; a few seconds.

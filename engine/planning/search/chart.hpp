@@ -34,7 +34,7 @@ enum class Moves : std::uint8_t { looked_for, left_out };
                                        cost::CurrentsShelf* shelf = nullptr, Moves moves = Moves::looked_for);
 
 /// Why the vehicle cannot be at its start at the time `after`, counted from the departure of the request;
-/// empty: it can.
+/// empty if it can.
 [[nodiscard]] std::optional<Infeasible> closed_start(const Chart& chart, const PlanRequest& request,
                                                      core::Seconds after);
 
@@ -46,7 +46,7 @@ enum class Moves : std::uint8_t { looked_for, left_out };
                                      cost::Layout layout, const PlanRequest& request,
                                      const std::stop_token& stop = {}, Moves moves = Moves::left_out);
 
-/// Why the search area would be too large for memory; empty: it is not.
+/// The refusal if the search area would be too large for memory; otherwise empty.
 [[nodiscard]] std::optional<Infeasible> too_much_to_lay_out(const ocean::Environment& environment,
                                                             const PlanRequest& request);
 

@@ -20,8 +20,8 @@ constexpr core::Seconds postfix{60.0};
 /// Height of the saw-tooth of a vehicle that waits below ice until it can surface.
 constexpr double held_tooth_m = 10.0;
 
-/// Time until pump and pitch have turned a shallow vehicle (HullMotion). It does not turn again earlier:
-/// where bed and surface leave no room, turning every second would drain its battery.
+/// Time until pump and pitch have turned a shallow vehicle (HullMotion). The vehicle does not turn again earlier.
+/// Between sea bed and surface without room it would otherwise turn every second and drain its battery.
 constexpr core::Seconds turning_time{15.0};
 
 /// A vehicle that changes its depth by less does not saw-tooth and makes no way.

@@ -15,7 +15,7 @@
 
 namespace floeplan::cli {
 
-/// Seconds since any fixed instant. Empty: no time passes.
+/// Seconds since any fixed instant. An empty function means that no time passes.
 using SteadyClock = std::function<core::Seconds()>;
 
 /// How the program ends; scripts depend on the numbers.

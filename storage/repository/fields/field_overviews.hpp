@@ -27,8 +27,8 @@ class FieldOverviews {
   /// Memory   256 rows of the field
   void make(const DatasetId& id, const std::string& variable);
 
-  /// Depths around the area, from the finest of the field and its overviews that has no more than `most_nodes` there. Of
-  /// depths at a model's own points there are no overviews; they are interpolated as load_bathymetry does it.
+  /// Depths around the area, from the field or an overview: the finest with at most `most_nodes` nodes there. Depths
+  /// at a model's own points have no overviews. They are interpolated as in load_bathymetry.
   /// Outside  nullopt when the dataset is unknown or has no node there
   [[nodiscard]] std::optional<ocean::Bathymetry> bathymetry(const DatasetId& id, const geo::BoundingBox& area,
                                                             std::size_t most_nodes) const;

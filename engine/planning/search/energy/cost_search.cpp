@@ -25,8 +25,8 @@ constexpr std::int64_t fewest_labels = 50'000;
 /// On grids with more vertices than this the outlook is not used: it would check the stop token too rarely,
 /// and its memory limit would leave too few time slices.
 constexpr std::int64_t many_vertices = 500'000;
-/// A steered search may miss the least cost by this share of the fastest route's cost: far less than the
-/// outlook's error.
+/// The cost of a steered search may exceed the least cost by this share of the fastest route's cost. The error of
+/// the outlook is far larger.
 constexpr double near_enough = 2e-4;
 /// How long after its last slice an outlook may be used. After that slice its currents stay constant.
 constexpr core::Seconds beyond_outlook{3600.0};

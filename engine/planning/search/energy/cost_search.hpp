@@ -55,11 +55,11 @@ class CostGuide {
 };
 
 /// Searches grid after grid for the least cost to the next stop, departing at the arrival at the stop before.
-/// The result is the best between two stops. Over several stops it need not be, because no search looks
-/// beyond its own grid. Where a search finds no route, the route of the earliest arrival is taken, each leg
+/// The result is the best between two stops. Over several stops a better route may exist, because each search
+/// knows only its own grid. If a search finds no route, the route of the earliest arrival is taken, each leg
 /// with its best propulsion.
-/// Accuracy on grids of few vertices as CostVoyage. On larger grids an outlook steers the search, and the
-/// cost is mostly within a hundredth of that
+/// Accuracy on grids of few vertices as accurate as CostVoyage. On larger grids an outlook steers the search, and
+/// the cost is mostly within a hundredth of the least cost
 /// `guides` one for each of these grids; null: they are made for this call only
 /// Errors   where and why there is no route
 /// Stops    with Reason::cancelled once `stop` is requested

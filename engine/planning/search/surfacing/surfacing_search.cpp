@@ -33,8 +33,8 @@ struct Pass {
 /// from it.
 constexpr Pass passes[] = {{1.0 / 6.0, 1.2}, {1.0 / 24.0, 1.1}, {1.0 / 100.0, 1.0}};
 
-/// If no route keeps the limit, a search with this many labels, those nearest to the goal first, shows where
-/// routes end.
+/// Limit of labels of the search that shows where routes end if no route keeps the limit. Labels nearest to the
+/// goal come first.
 constexpr std::size_t most_futile_labels = 10'000;
 
 using Labels = graph::LabelSearch<SurfacingVoyage::State>;
