@@ -51,8 +51,13 @@ test('a plan is flown many times, and a flight is played back by the clock', { t
   await expectAccessible(page);
 
   const withFlight = await vehicles();
-  page.once('dialog', (dialog) => void dialog.accept());
-  await page.getByRole('button', { name: 'Remove this simulation' }).click();
+  const remove = page.getByRole('button', { name: 'Remove this simulation' });
+  await remove.click();
+  await expect(map).toHaveAttribute('data-flight', 'none');
+  await page.keyboard.press('Control+z');
+  await expect(page.locator('.notice')).toHaveText('Undone: deleting the simulation.');
+  await expect(map).toHaveAttribute('data-flight', '1');
+  await remove.click();
   await expect(map).toHaveAttribute('data-flight', 'none');
   await expect.poll(async () => (await vehicles()).join(' ')).toBe(withFlight.slice(0, -2).join(' '));
   await expect(page.getByText('Not flown yet.')).toBeVisible();

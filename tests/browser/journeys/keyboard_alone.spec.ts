@@ -119,7 +119,6 @@ test('a plan is flown and its flight played back with the keyboard alone', { tag
   await press(page, surfaced.getByRole('button'));
   await expect(depth).toHaveText(/^(surface|\d m)$/); // rows of the track are a minute apart
 
-  page.once('dialog', (dialog) => void dialog.accept());
   await press(page, page.getByRole('button', { name: 'Remove this simulation' }));
   await expect(page.locator('#map')).toHaveAttribute('data-flight', 'none');
 });

@@ -1,8 +1,9 @@
 import { numberIn } from '../model/setup/draft';
 import { endedSo, endTitles } from '../model/plan/flight';
-import { closeSimulation, flightForm, flying, flyingFault, opened, playedFlight, stored } from '../model/plan/simulations';
+import { flightForm, flying, flyingFault, opened, playedFlight, stored } from '../model/plan/simulations';
 import { announce } from '../model/screen';
 import * as api from './client';
+import { withoutDeletedSimulations } from './deleting';
 import { follow } from './following';
 import type { SimulateInputs } from '../contract/simulation_types';
 import type { Plan } from '../contract/types';
@@ -54,7 +55,7 @@ function inputsFor({ plan_id }: Plan): SimulateInputs | string {
 export async function listSimulations(planId: string): Promise<void> {
   try {
     const { simulations } = await api.simulations(planId);
-    stored.value = { ...stored.value, [planId]: simulations };
+    stored.value = { ...stored.value, [planId]: withoutDeletedSimulations(simulations) };
   } catch (error) {
     flyingFault.value = api.wordsOf(error);
   }
@@ -78,16 +79,6 @@ export async function playFlight(id: string, run: number): Promise<void> {
     if (opened.value?.simulation_id !== id) return;
     playedFlight.value = flight;
     announce(`Flight ${run + 1}: ${endTitles[flight.end]}. ${flight.end_reason}`);
-  } catch (error) {
-    flyingFault.value = api.wordsOf(error);
-  }
-}
-
-export async function removeSimulation(planId: string, id: string): Promise<void> {
-  try {
-    await api.deleteSimulation(id);
-    if (opened.value?.simulation_id === id) closeSimulation();
-    await listSimulations(planId);
   } catch (error) {
     flyingFault.value = api.wordsOf(error);
   }

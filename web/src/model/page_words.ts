@@ -1,5 +1,6 @@
 import { formatPosition } from '../geo/coordinates';
 import { formOf, labelsOfFlags } from './fields';
+import { exportLabels } from './plan/export_labels';
 import { settings } from './settings';
 import { shortTime } from './time';
 
@@ -33,6 +34,9 @@ function labelOfPointer(pointer: string, outer: string, inner?: string): string 
 /** The name of an input, which has two words or more, inside a sentence. */
 const nameOfInput = /\b[a-z]+(?:_[a-z0-9]+)+\b/g;
 
+/** The label of the field of the set-up or of the export that a flag of the command line is for. */
+const labelOfFlag = (flag: string): string | undefined => labelsOfFlags[flag] ?? (exportLabels as Record<string, string | undefined>)[flag.slice(2)];
+
 /**
  * A sentence of the server in the terms of this page: “Longest hold” for --max-hold, and positions in the page's
  * notation.
@@ -45,4 +49,4 @@ export const inPageWords = (text: string): string =>
     .replace(placeInText, (_, lon: string, lat: string) => formatPosition([Number(lon), Number(lat)], settings.value.coordinates))
     .replace(instant, (time) => shortTime(Date.parse(time)))
     .replace(nameOfInput, (name) => (formOf(name).label ? `“${formOf(name).label}”` : name))
-    .replace(/--[a-z]+(-[a-z]+)*/g, (flag) => (labelsOfFlags[flag] ? `“${labelsOfFlags[flag]}”` : flag));
+    .replace(/--[a-z]+(-[a-z]+)*/g, (flag) => (labelOfFlag(flag) ? `“${labelOfFlag(flag)}”` : flag));

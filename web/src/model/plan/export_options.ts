@@ -3,6 +3,7 @@ import type { Position } from '../../contract/data_types';
 import { placesIn } from '../setup/draft';
 import { selectedId, waypointLabel } from './plans';
 import { remember } from '../undo';
+import { exportLabels } from './export_labels';
 
 /** The mission files that the user has chosen. */
 export type FileSet = 'lists' | 'full' | 'seaglider';
@@ -46,12 +47,6 @@ export function addSafePlace(place: string): void {
   put(after);
   remember({ title: 'picking a safe place', back: () => put(before), again: () => put(after) });
 }
-
-/** What the dialog calls its fields. */
-export const exportLabels = {
-  set: 'Files for the vehicle', number: 'Number of the waypoint list', mission: 'Mission name', firmware: 'Firmware', glider: 'Glider',
-  safe: 'Safe places under ice', iceberg_depth_m: 'Deepest iceberg', science: 'Science bands',
-} as const satisfies Record<keyof ExportOptions, string>;
 
 /** The labels of the fields that a refusal may name, by the server's names. */
 const labels: Partial<Record<string, string>> = {

@@ -1,6 +1,7 @@
 import type { VNode } from 'preact';
 import { useEffect } from 'preact/hooks';
-import { cancelFlight, fly, listSimulations, openSimulation, removeSimulation } from '../../actions/simulating';
+import { deleteSimulation } from '../../actions/deleting';
+import { cancelFlight, fly, listSimulations, openSimulation } from '../../actions/simulating';
 import type { SimulationSummary } from '../../contract/simulation_types';
 import type { Plan } from '../../contract/types';
 import { endedSo, endTitles } from '../../model/plan/flight';
@@ -77,10 +78,7 @@ function Ask({ plan }: { plan: Plan }): VNode {
 }
 
 function Row({ one, chosen }: { one: SimulationSummary; chosen: boolean }): VNode {
-  const { arrived, created, plan_id, runs, simulation_id, avoidance } = one;
-  const remove = (): void => {
-    if (window.confirm('Remove this simulation for good?')) void removeSimulation(plan_id, simulation_id);
-  };
+  const { arrived, created, runs, simulation_id, avoidance } = one;
   return (
     <li class={chosen ? 'plan-row selected' : 'plan-row'}>
       <button type="button" class="plan-choose" aria-pressed={chosen} onClick={() => void openSimulation(simulation_id)}>
@@ -94,7 +92,7 @@ function Row({ one, chosen }: { one: SimulationSummary; chosen: boolean }): VNod
           {arrived} arrived · {avoidance ? 'with' : 'without'} avoidance{created ? ` · ${shortTime(Date.parse(created))}` : ''}
         </span>
       </button>
-      <IconButton icon="trash" label="Remove this simulation" class="row-remove" disabled={!may('pilot')} onClick={remove} />
+      <IconButton icon="trash" label="Remove this simulation" class="row-remove" disabled={!may('pilot')} onClick={() => deleteSimulation(one)} />
     </li>
   );
 }
