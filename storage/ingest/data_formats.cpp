@@ -158,7 +158,9 @@ std::vector<DataFormat> all_formats() {
                 "dbd2netcdf, dives of a Seaglider",
        .tested_with = "CMEMS, HYCOM, DUACS, NEMO (ORCA025), ROMS (two models), FVCOM, ACCESS-OM2, MET "
                       "Norway's Arctic model, EMODnet, ETOPO, NERSC's sea ice, a Seaglider, the IOOS DAC; "
-                      "SCHISM, ADCIRC, MITgcm, Delft3D FM, tide models: files made for the tests",
+                      "SCHISM, ADCIRC, MITgcm, Delft3D FM, GEBCO, IBCAO, OSI SAF, AMSR2 sea ice of Bremen, "
+                      "tide models: files made for "
+                      "the tests",
        .kinds = {currents, wind, bathymetry, ice, tides, coastline, glider_tracks},
        .writing = Writing::binary,
        .is_it = [](const FileStart& start) { return is_classic_netcdf(start.bytes) || is_hdf5(start.bytes); },
@@ -182,7 +184,8 @@ std::vector<DataFormat> all_formats() {
 
       {.name = "GeoTIFF",
        .reads = "depths or elevations",
-       .tested_with = "a survey of NOAA; ETOPO in a polar projection",
+       .tested_with =
+           "a survey of NOAA; ETOPO in a polar projection; other projections: files made for the tests",
        .kinds = {bathymetry},
        .writing = Writing::binary,
        .is_it = [](const FileStart& start) { return is_tiff(start.bytes); },
@@ -395,7 +398,7 @@ std::vector<DataFormat> all_formats() {
 
       {.name = "Seaglider",
        .reads = "the log of each dive, .log, with its engineering record, .eng",
-       .tested_with = "logs of two dives (2016 and 2026), one with its engineering record",
+       .tested_with = "the engineering record of a dive of 2016; logs: files made for the tests",
        .kinds = {glider_tracks},
        .writing = Writing::text,
        .is_it =
