@@ -7,6 +7,8 @@
 namespace floeplan::repository {
 namespace {
 
+constexpr double rounding = 1e-6;  // of a step, as Axis::locate has it
+
 /// Nodes `first` to `last`, both included.
 AxisWindow part(const ocean::Axis& axis, std::size_t first, std::size_t last) {
   const auto begin = axis.nodes().begin();
@@ -56,10 +58,14 @@ AxisWindow window_round_the_globe(const ocean::Axis& x, double west_deg, double 
 std::optional<AxisWindow> window_of_longitudes(const ocean::Axis& x, double west_deg, double width_deg) {
   const double west =
       west_deg - 360.0 * (std::floor((west_deg - x.front()) / 360.0) + 1.0);  // a turn before the axis
+  const double slack = rounding * x.mean_step();
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
   for (int turn = 0; turn <= 2; ++turn) {
-    const double from = west + 360.0 * turn;
+    double from = west + 360.0 * turn;
+    // A place at the first or the last node may be beside it by the rounding of the turns.
+    if (std::abs(from + width_deg - x.front()) <= slack) from = x.front() - width_deg;
+    if (std::abs(from - x.back()) <= slack) from = x.back();
     if (from + width_deg < x.front() || from > x.back()) continue;
     low = std::min(low, from);
     high = std::max(high, from + width_deg);
@@ -111,7 +117,6 @@ std::optional<GridWindow> window_of_projected(const ocean::HorizontalGrid& grid,
   }
   const auto around = [&](const ocean::Axis& axis, const Extent& extent) {
     // A place at a node of the rim may be beside it by the rounding of the projection.
-    constexpr double rounding = 1e-6;  // of a step, as Axis::locate has it
     const double margin = bulge * widest + rounding * axis.mean_step();
     return window_around(axis, extent.low - margin, extent.high + margin);
   };

@@ -353,6 +353,23 @@ TEST_F(FieldRepositoryTest, ReadsOnlyAPartOfAProjectedGrid) {
   EXPECT_LT(window->grid().size(), 600U);
 }
 
+TEST_F(FieldRepositoryTest, FindsTheNodesOnTheRimOfAGridInDegrees) {
+  for (const double west : {-54.0 + 0.5 / 240.0, 179.9, 10.0 / 3.0}) {
+    std::mt19937_64 rng{1};
+    const ocean::HorizontalGrid grid{geo::GeographicFrame{}, axis(west, 1.0 / 240.0, 40),
+                                     axis(69.0, 1.0 / 240.0, 30)};
+    store_noise(rng, grid);
+    for (std::size_t iy = 0; iy < 30; ++iy)
+      for (const std::size_t ix : {std::size_t{0}, std::size_t{39}}) {
+        const geo::LonLat node = grid.place(ix, iy);
+        const geo::LonLat place{geo::wrap_longitude(node.lon_deg), node.lat_deg};
+        EXPECT_TRUE(
+            fields_.load_bathymetry(id_, {place.lon_deg, place.lat_deg, place.lon_deg, place.lat_deg}))
+            << ix << " " << iy;
+      }
+  }
+}
+
 TEST_F(FieldRepositoryTest, FindsTheNodesOnTheRimOfAProjectedGrid) {
   for (const geo::GridFrame& frame :
        {geo::GridFrame{geo::PolarStereographicFrame{true, 75.0, 0.0}},
