@@ -157,6 +157,9 @@ function cornersOf([west, south, east, north]: Box): Position[] {
   return places;
 }
 
+/** About the size of the legend with all data, for the view that the map opens with, before the legend is laid out. */
+const expectedLegend_px = { width: 216, height: 380 };
+
 /**
  * Width of the screen elements over the map's edges, clockwise from the top: tools on the left, and an unfolded legend
  * at the lower right. What is fitted comes to lie beside the legend or above it, where there is more room.
@@ -164,7 +167,7 @@ function cornersOf([west, south, east, north]: Box): Position[] {
 function coveredEdges_px(map: Map): [number, number, number, number] {
   const [width = 0, height = 0] = map.getSize() ?? [];
   const [top, right, bottom, left] = width > 600 ? [70, 60, 80, 100] : [70, 20, 60, 60];
-  const legend = legendSize_px.peek();
+  const legend = legendSize_px.peek() ?? (width > 600 ? expectedLegend_px : { width: 0, height: 0 });
   if (legend.width === 0) return [top, right, bottom, left];
   const beside_px = legend.width + 54; // with the name of the goal
   const below_px = legend.height + 54;

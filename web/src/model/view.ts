@@ -20,8 +20,11 @@ export const toolsReach_px = signal({ right: 0, bottom: 0 });
 /** Height of the note that covers the lower edge of the map on a narrow screen. The panel of the map sets it. */
 export const noteHeight_px = signal(0);
 
-/** Size of the unfolded legend at the map's lower right; none while it is folded. The legend sets it. */
-export const legendSize_px = signal({ width: 0, height: 0 });
+/**
+ * Size of the unfolded legend at the map's lower right, none while it is folded; undefined until it was laid out. The
+ * legend sets it.
+ */
+export const legendSize_px = signal<{ width: number; height: number } | undefined>(undefined);
 
 /** The berg under the pointer. */
 export const hoveredBerg = signal<IcebergFeature | undefined>(undefined);
