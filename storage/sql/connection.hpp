@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "engine/core/units.hpp"
 #include "storage/sql/driver/driver.hpp"
 
 namespace floeplan::sql {
@@ -42,5 +43,12 @@ class Connection {
 /// Edges    changes of the tables' definitions, and changes that are rolled back, may or may not change it
 /// Errors   Failure when the database cannot be read
 [[nodiscard]] inline Version version_of(Connection& db) { return db.driver().version(); }
+
+/// The time of the store: the clock of the database server, which all machines share; of a store in a folder,
+/// the clock of this machine. It goes on within a transaction.
+[[nodiscard]] inline core::UtcTime time_of(Connection& db) { return core::from_unix_seconds(db.driver().time_s()); }
+
+/// Whether processes on several machines may work on the store at the same time.
+[[nodiscard]] inline bool is_shared(Connection& db) { return db.engine() == Engine::server; }
 
 }  // namespace floeplan::sql

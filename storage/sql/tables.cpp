@@ -17,6 +17,17 @@ ColumnType type_of(const std::string& declared) {
   throw std::logic_error{"a column of the type " + declared};
 }
 
+/// Whether the database gives the rows of a table their numbers.
+bool numbers_rows(Connection& db, const std::string& table) {
+  Statement query{db, db.engine() == Engine::server
+                          ? "SELECT 1 FROM information_schema.columns WHERE table_schema = current_schema() "
+                            "AND table_name = ?1 AND column_name = 'row' AND is_identity = 'YES'"
+                          : "SELECT 1 FROM main.sqlite_schema WHERE type = 'table' AND name = ?1 AND sql LIKE "
+                            "'%AUTOINCREMENT%'"};
+  query.bind(1, table);
+  return query.step();
+}
+
 std::string has_column(const std::string& schema, std::string_view column) {
   return "EXISTS (SELECT 1 FROM pragma_table_info(t.name, '" + schema + "') AS c WHERE c.name = '" +
          std::string{column} + "')";
@@ -59,10 +70,30 @@ std::vector<std::string> tables_of(Connection& db, const std::string& schema, st
 }
 
 std::int64_t highest_row(Connection& db, const std::string& table) {
-  Statement query{db, "SELECT max(coalesce((SELECT max(row) FROM main." + table +
-                          "), 0), coalesce((SELECT seq FROM main.sqlite_sequence WHERE name = ?1), 0))"};
+  Statement query{
+      db, db.engine() == Engine::server
+              ? "SELECT greatest(coalesce((SELECT max(row) FROM " + table +
+                    "), 0), coalesce(pg_sequence_last_value(pg_get_serial_sequence(?1, 'row')::regclass), 0))"
+              : "SELECT max(coalesce((SELECT max(row) FROM main." + table +
+                    "), 0), coalesce((SELECT seq FROM main.sqlite_sequence WHERE name = ?1), 0))"};
   query.bind(1, table);
   return query.step() ? query.integer(0) : 0;
+}
+
+void continue_rows(Connection& db, const std::string& table, std::int64_t highest) {
+  if (highest == 0 || !numbers_rows(db, table)) return;
+  if (db.engine() == Engine::server) {
+    Statement query{db, "SELECT setval(pg_get_serial_sequence(?1, 'row')::regclass, ?2)"};
+    query.bind_all(table, highest);
+    (void)query.step();
+    return;
+  }
+  Statement remove{db, "DELETE FROM main.sqlite_sequence WHERE name = ?1"};
+  remove.bind(1, table);
+  remove.run();
+  Statement insert{db, "INSERT INTO main.sqlite_sequence (name, seq) VALUES (?1, ?2)"};
+  insert.bind_all(table, highest);
+  insert.run();
 }
 
 bool has_only_tables_of_main(Connection& db, const std::string& schema) {

@@ -32,6 +32,9 @@ struct Column {
 /// numbers.
 [[nodiscard]] std::int64_t highest_row(Connection& db, const std::string& table);
 
+/// The next row of a table gets a number above this one. Does nothing where the database gives no numbers.
+void continue_rows(Connection& db, const std::string& table, std::int64_t highest);
+
 /// Whether everything in `schema` (tables, indices, triggers, views) also exists in "main" with the same
 /// definition.
 [[nodiscard]] bool has_only_tables_of_main(Connection& db, const std::string& schema);

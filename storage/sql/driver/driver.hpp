@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -57,6 +58,12 @@ class PreparedStatement {
 /// many machines use.
 enum class Engine { embedded, server };
 
+/// What other connections have announced.
+struct Announced {
+  std::vector<std::string> texts;  // oldest first
+  bool missed{false};              // the connection was lost for a while, and more may have been announced
+};
+
 /// One connection to a database engine: what engines do in ways of their own. What all take as the same text (COMMIT,
 /// ROLLBACK, savepoints) is run as a script.
 /// Threads  one thread at a time
@@ -81,6 +88,13 @@ class Driver {
   virtual void begin_reading() = 0;
   /// A value that changes with every commit of any connection. Cheap.
   [[nodiscard]] virtual Version version() = 0;
+
+  /// Seconds since 1970 by the clock that all connections share.
+  [[nodiscard]] virtual double time_s() = 0;
+  /// Runs a statement without values, and again whenever a new session takes the place of one that was lost.
+  virtual void in_each_session(const std::string& statement) = 0;
+  /// Waits until something is announced, at most this long.
+  [[nodiscard]] virtual Announced announced(std::chrono::milliseconds at_most) = 0;
 
   /// Writes the whole database in its present state to a new file.
   virtual void back_up(const std::filesystem::path& file) = 0;

@@ -59,6 +59,12 @@ Version ServerDriver::version() {
   return version;
 }
 
+/// `now()` would stand still within a transaction.
+double ServerDriver::time_s() {
+  const Result result = session_.run("SELECT extract(epoch FROM clock_timestamp())::float8", {});
+  return real_at(result.get(), 0, 0);
+}
+
 void ServerDriver::back_up(const std::filesystem::path&) { refuse_files(session_); }
 
 bool ServerDriver::has_page_checksums() { refuse_files(session_); }

@@ -27,6 +27,11 @@ class ServerDriver final : public Driver {
   void roll_back() override { session_.roll_back(); }
   void begin_reading() override;
   [[nodiscard]] Version version() override;
+  [[nodiscard]] double time_s() override;
+  void in_each_session(const std::string& statement) override { session_.run_in_each(statement); }
+  [[nodiscard]] Announced announced(std::chrono::milliseconds at_most) override {
+    return session_.announced(at_most);
+  }
 
   void back_up(const std::filesystem::path& file) override;
   [[nodiscard]] bool has_page_checksums() override;

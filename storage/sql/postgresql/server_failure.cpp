@@ -25,7 +25,8 @@ Failure failure_of(const PGresult* result, const PGconn* connection, const std::
   if (code == "53100") return Failure{messages::store_text<"disk-full">(name, detail), Trouble::disk_full};
   if (code == "55P03" || code == "40P01" || code == "40001")
     return Failure{messages::store_text<"database-locked">(name, detail), Trouble::held_by_another};
-  if (code == "25006" || code == "42501" || code.starts_with("28"))
+  // 3F000: no schema of the search path is there, or this role may use none of them
+  if (code == "25006" || code == "42501" || code == "3F000" || code.starts_with("28"))
     return Failure{messages::store_text<"database-read-only">(name, detail), Trouble::not_writable};
   if (code == "XX001" || code == "XX002")
     return Failure{messages::store_text<"server-database-damaged">(name, detail), Trouble::damaged};

@@ -1,5 +1,8 @@
 #include "storage/sql/postgresql/server_session.hpp"
 
+#include <poll.h>
+
+#include <array>
 #include <new>
 #include <utility>
 
@@ -19,10 +22,24 @@ bool has_succeeded(const Result& result) {
 
 std::string text_of(const char* text) { return text != nullptr ? text : ""; }
 
+struct FreeMemory {
+  void operator()(void* of_library) const { PQfreemem(of_library); }
+};
+
+/// Opens a session. One whose server has become silent is given up after about ten seconds, unless the address says
+/// otherwise: a statement would wait for a quarter of an hour.
+PGconn* connect(const std::string& address) {
+  constexpr std::array<const char*, 7> names{"connect_timeout",     "tcp_user_timeout", "keepalives_idle",
+                                             "keepalives_interval", "keepalives_count", "dbname",
+                                             nullptr};
+  const std::array<const char*, 7> values{"10", "10000", "5", "2", "3", address.c_str(), nullptr};
+  return PQconnectdbParams(names.data(), values.data(), 1);
+}
+
 }  // namespace
 
 ServerSession::ServerSession(const std::string& address, std::string settings)
-    : connection_{PQconnectdb(address.c_str())}, settings_{std::move(settings)} {
+    : connection_{connect(address)}, settings_{std::move(settings)} {
   if (!connection_) throw std::bad_alloc{};
   name_ = text_of(PQdb(connection_.get())) + " at " + text_of(PQhost(connection_.get()));
   if (PQstatus(connection_.get()) != CONNECTION_OK) throw failure_of(nullptr, connection_.get(), name_);
@@ -32,7 +49,8 @@ ServerSession::ServerSession(const std::string& address, std::string settings)
 
 void ServerSession::reconnect_if_lost() {
   if (PQstatus(connection_.get()) == CONNECTION_OK) return;
-  if (has_begun_) throw Failure{messages::store_text<"transaction-undone">(name_)};
+  if (has_begun_) throw Failure{messages::store_text<"transaction-undone">(name_), Trouble::not_writable};
+  has_missed_ = true;
   PQreset(connection_.get());
   if (PQstatus(connection_.get()) != CONNECTION_OK) throw failure_of(nullptr, connection_.get(), name_);
   parsed_.clear();
@@ -48,7 +66,7 @@ void ServerSession::begin(const std::string& statement) {
 void ServerSession::commit() {
   if (PQtransactionStatus(connection_.get()) != PQTRANS_INTRANS) {
     roll_back();
-    throw Failure{messages::store_text<"transaction-undone">(name_)};
+    throw Failure{messages::store_text<"transaction-undone">(name_), Trouble::not_writable};
   }
   run_script("COMMIT");
   has_begun_ = false;
@@ -77,6 +95,29 @@ std::string ServerSession::parsed(const std::string& sql, const std::vector<Oid>
   if (!has_succeeded(result)) throw failure_of(result.get(), connection_.get(), name_);
   parsed_.emplace(std::pair{sql, types}, name);
   return name;
+}
+
+void ServerSession::run_in_each(const std::string& statement) {
+  run_script(statement);
+  settings_ += "; " + statement;
+}
+
+Announced ServerSession::announced(std::chrono::milliseconds at_most) {
+  reconnect_if_lost();
+  Announced heard{.texts = received(), .missed = std::exchange(has_missed_, false)};
+  if (heard.missed || !heard.texts.empty()) return heard;
+  pollfd socket{.fd = PQsocket(connection_.get()), .events = POLLIN, .revents = 0};
+  (void)poll(&socket, 1, static_cast<int>(at_most.count()));
+  if (PQconsumeInput(connection_.get()) == 0) throw failure_of(nullptr, connection_.get(), name_);
+  heard.texts = received();
+  return heard;
+}
+
+std::vector<std::string> ServerSession::received() {
+  std::vector<std::string> texts;
+  while (const std::unique_ptr<PGnotify, FreeMemory> one{PQnotifies(connection_.get())})
+    texts.emplace_back(one->extra);
+  return texts;
 }
 
 Result ServerSession::run(const std::string& sql, const std::vector<WireValue>& values) {

@@ -2,12 +2,14 @@
 
 #include <libpq-fe.h>
 
+#include <chrono>
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "storage/sql/driver/driver.hpp"
 #include "storage/sql/postgresql/wire_values.hpp"
 
 namespace floeplan::sql::postgresql {
@@ -37,6 +39,11 @@ class ServerSession {
   /// same types is not parsed anew.
   [[nodiscard]] Result run(const std::string& sql, const std::vector<WireValue>& values);
 
+  /// Runs a statement here and in each session that takes the place of this one.
+  void run_in_each(const std::string& statement);
+  /// Waits until something is announced, at most this long.
+  [[nodiscard]] Announced announced(std::chrono::milliseconds at_most);
+
   [[nodiscard]] bool is_in_transaction() const { return has_begun_; }
   /// Its name and its server's, for a person.
   [[nodiscard]] const std::string& name() const { return name_; }
@@ -48,6 +55,8 @@ class ServerSession {
   /// A new session takes the place of one that was lost, but never within a transaction: what follows there must not be
   /// kept alone.
   void reconnect_if_lost();
+  /// What was announced and not given out yet.
+  [[nodiscard]] std::vector<std::string> received();
   /// The name of a statement that the server has parsed.
   [[nodiscard]] std::string parsed(const std::string& sql, const std::vector<Oid>& types);
 
@@ -56,6 +65,7 @@ class ServerSession {
   std::string name_;
   std::map<std::pair<std::string, std::vector<Oid>>, std::string> parsed_;
   std::int64_t names_given_{0};
+  bool has_missed_{false};  // announcements, because the session was lost
   bool has_begun_{false};  // a transaction that is neither committed nor undone yet
 };
 

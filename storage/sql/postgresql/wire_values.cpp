@@ -33,10 +33,10 @@ WireType type_at(const PGresult* result, int column) { return WireType{PQftype(r
 
 WireValue wire_null(ColumnType type) {
   switch (type) {
-    case ColumnType::integer: return {.type = WireType::int8};
-    case ColumnType::real: return {.type = WireType::float8};
-    case ColumnType::text: return {.type = WireType::text};
-    case ColumnType::blob: return {.type = WireType::bytes};
+    case ColumnType::integer: return {WireType::int8, true, {}};
+    case ColumnType::real: return {WireType::float8, true, {}};
+    case ColumnType::text: return {WireType::text, true, {}};
+    case ColumnType::blob: return {WireType::bytes, true, {}};
   }
   return {};
 }

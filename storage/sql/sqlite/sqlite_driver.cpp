@@ -198,6 +198,15 @@ void SqliteDriver::roll_back() { run_script("ROLLBACK"); }
 
 void SqliteDriver::begin_reading() { run_script("BEGIN DEFERRED"); }
 
+double SqliteDriver::time_s() {
+  return std::chrono::duration<double>{std::chrono::system_clock::now().time_since_epoch()}.count();
+}
+
+Announced SqliteDriver::announced(std::chrono::milliseconds at_most) {
+  std::this_thread::sleep_for(at_most);
+  return {};
+}
+
 Version SqliteDriver::version() {
   sqlite3* const database = database_->getHandle();
   if (sharing_ == Sharing::shared)

@@ -43,6 +43,10 @@ class SqliteDriver : public Driver {
   void roll_back() override;
   void begin_reading() override;
   [[nodiscard]] Version version() override;
+  [[nodiscard]] double time_s() override;
+  void in_each_session(const std::string& statement) override { run_script(statement); }
+  /// One process at a time serves a store in a folder, and nobody else announces anything.
+  [[nodiscard]] Announced announced(std::chrono::milliseconds at_most) override;
   void back_up(const std::filesystem::path& file) override;
   [[nodiscard]] bool has_page_checksums() override;
   [[nodiscard]] std::vector<std::uint32_t> damaged_pages() override;
