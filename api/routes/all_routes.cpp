@@ -19,4 +19,11 @@ std::vector<Route> all_routes() {
   return all;
 }
 
+std::vector<Route> node_routes() {
+  std::vector<Route> all = health_routes();
+  for (Route& route : operation_routes()) all.push_back(std::move(route));
+  for (Route& route : all) route.access = Access::everybody;
+  return all;
+}
+
 }  // namespace floeplan::routes

@@ -10,7 +10,7 @@
 #include "storage/ingest/process/staging_folder.hpp"
 #include "storage/json/json.hpp"
 #include "storage/repository/access/owners.hpp"
-#include "storage/repository/work/upload_repository.hpp"
+#include "storage/repository/work/uploads_of.hpp"
 
 namespace floeplan::service {
 namespace {
@@ -35,24 +35,22 @@ ingest::IngestOptions options_of(const codec::IngestInputs& inputs) {
 /// Puts the uploads under their original names into one folder, because parts of a dataset are found by their
 /// names.
 tl::expected<std::vector<std::filesystem::path>, std::string> lay_out(const codec::IngestInputs& inputs,
-                                                                      const std::filesystem::path& uploads,
+                                                                      const repository::UploadRepository& stored,
                                                                       const std::filesystem::path& folder) {
-  const repository::UploadRepository stored{uploads};
   std::vector<std::filesystem::path> files;
   for (const std::string& id : inputs.uploads) {
     const auto upload = stored.find(id);
     if (!upload)
       return tl::unexpected("the upload " + id + " was removed or has expired; send the file again");
-    const auto digest = ingest::sha256_of_file(stored.file_of(*upload));
+    const std::filesystem::path file = folder / upload->name;
+    if (const std::error_code error = stored.lay_out(*upload, file))
+      return tl::unexpected("the upload " + upload->name + " cannot be read: " + error.message());
+    const auto digest = ingest::sha256_of_file(file);
     if (!digest || *digest != upload->sha256)
       return tl::unexpected(
           "the upload " + upload->name +
           " is no longer as it arrived: the server's disk has changed it; send the file again, "
           "and have the server's operator look at the disk");
-    const std::filesystem::path file = folder / upload->name;
-    std::error_code error;
-    std::filesystem::create_hard_link(stored.file_of(*upload), file, error);
-    if (error) return tl::unexpected("the upload " + upload->name + " cannot be read: " + error.message());
     files.push_back(file);
   }
   return files;
@@ -102,7 +100,7 @@ tl::expected<json, std::string> ingest_document(sql::Connection& db, const codec
                                                 bool again, const std::stop_token& stop,
                                                 const core::ProgressCallback& progress, core::UtcTime now) {
   const ingest::StagingFolder folder{place.guard.staging};
-  const auto files = lay_out(inputs, place.uploads, folder.path());
+  const auto files = lay_out(inputs, *repository::uploads_of(db, place.uploads), folder.path());
   if (!files) return tl::unexpected(files.error());
   const auto take_note = [&](const ingest::IngestReport& report) {
     log_technical_cause(report);

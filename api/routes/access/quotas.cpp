@@ -4,7 +4,7 @@
 #include "api/routes/request/owner.hpp"
 #include "api/routes/request/reply.hpp"
 #include "storage/repository/access/owners.hpp"
-#include "storage/repository/work/upload_repository.hpp"
+#include "storage/repository/work/uploads_of.hpp"
 
 namespace floeplan::routes {
 namespace {
@@ -26,7 +26,7 @@ Response over_bytes(const Request& request, const Quotas& quotas, std::uint64_t 
 
 QuotaUse use_of(const Context& context, const std::string& owner) {
   QuotaUse use{.kept_bytes = repository::Owners{context.db}.bytes_of(owner)};
-  for (const auto& upload : repository::UploadRepository{context.service.uploads}.list()) {
+  for (const auto& upload : repository::uploads_of(context.db, context.service.uploads)->list()) {
     if (upload.owner != owner) continue;
     ++use.uploads;
     use.waiting_bytes += upload.bytes;
@@ -51,10 +51,10 @@ std::optional<Response> refuse_coming_upload(const Context& context, const Reque
 
 std::optional<Response> refuse_ingest(const Context& context, const Request& request,
                                       const std::vector<std::string>& uploads) {
-  const repository::UploadRepository waiting{context.service.uploads};
+  const auto waiting = repository::uploads_of(context.db, context.service.uploads);
   std::uint64_t bytes = 0;
   for (const std::string& id : uploads)
-    if (const auto upload = waiting.find(id)) bytes += upload->bytes;
+    if (const auto upload = waiting->find(id)) bytes += upload->bytes;
   const std::uint64_t used = use_of(context, owner_of(request)).kept_bytes;
   const Quotas quotas = context.service.quotas->now();
   if (used + bytes > quotas.stored_bytes) return over_bytes(request, quotas, used, bytes);

@@ -10,14 +10,13 @@
 #include "api/routes/request/resources.hpp"
 #include "engine/core/letter_case.hpp"
 #include "engine/core/utc_text.hpp"
-#include "storage/repository/work/upload_repository.hpp"
+#include "storage/repository/work/uploads_of.hpp"
 
 namespace floeplan::routes {
 namespace {
 
 using nlohmann::json;
 using repository::Upload;
-using repository::UploadRepository;
 
 json upload_document(const Upload& upload, const std::string& public_url) {
   return {{"id", upload.id},
@@ -51,17 +50,17 @@ core::Violations upload_faults(const Request& request) {
 Response add_upload(const Context& context, const Request& request, const PathParameters&) {
   const auto faults = upload_faults(request);
   if (!faults.empty()) return invalid(request, faults);
-  UploadRepository uploads{context.service.uploads};
-  uploads.remove_expired(request.now);
+  const auto uploads = repository::uploads_of(context.db, context.service.uploads);
+  uploads->remove_expired(request.now);
   const std::string owner = owner_of(request);
-  const Upload upload = uploads.add(request.body_file->path, request.parameter("name").value_or(""),
+  const Upload upload = uploads->add(request.body_file->path, request.parameter("name").value_or(""),
                                     request.body_file->sha256, owner, request.now);
   // The quota is checked after storing, so that files sent at the same time are counted together.
   QuotaUse others = use_of(context, owner);
   --others.uploads;
   others.waiting_bytes -= upload.bytes;
   if (auto refusal = refuse_upload(context, request, others, upload.bytes)) {
-    uploads.remove(upload.id);
+    uploads->remove(upload.id);
     return std::move(*refusal);
   }
   Response response = json_reply(upload_document(upload, context.service.public_url), 201);
@@ -107,7 +106,7 @@ Response list_uploads(const Context& context, const Request& request, const Path
 
   const std::string& url = context.service.public_url;
   const std::string owner = owner_of(request);
-  std::vector<Upload> uploads = UploadRepository{context.service.uploads}.list();
+  std::vector<Upload> uploads = repository::uploads_of(context.db, context.service.uploads)->list();
   std::erase_if(uploads, [&](const Upload& upload) {
     return upload.expires <= request.now || !may_see_of(request, upload.owner) ||
            (last && !last->is_before(place_of(upload)));
@@ -134,16 +133,16 @@ Response unknown_upload(const Request& request, const PathParameters& path) {
 }
 
 Response show_upload(const Context& context, const Request& request, const PathParameters& path) {
-  const auto upload = UploadRepository{context.service.uploads}.find(path.at("upload_id"));
+  const auto upload = repository::uploads_of(context.db, context.service.uploads)->find(path.at("upload_id"));
   if (!upload || upload->expires <= request.now || !may_see_of(request, upload->owner))
     return unknown_upload(request, path);
   return json_reply(upload_document(*upload, context.service.public_url));
 }
 
 Response remove_upload(const Context& context, const Request& request, const PathParameters& path) {
-  UploadRepository uploads{context.service.uploads};
-  const auto upload = uploads.find(path.at("upload_id"));
-  if (!upload || !may_see_of(request, upload->owner) || !uploads.remove(upload->id))
+  const auto uploads = repository::uploads_of(context.db, context.service.uploads);
+  const auto upload = uploads->find(path.at("upload_id"));
+  if (!upload || !may_see_of(request, upload->owner) || !uploads->remove(upload->id))
     return unknown_upload(request, path);
   Response response;
   response.status = 204;

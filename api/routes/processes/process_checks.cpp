@@ -17,7 +17,7 @@
 #include "storage/repository/datasets/dataset_repository.hpp"
 #include "storage/repository/work/plan_repository.hpp"
 #include "storage/repository/work/simulation_repository.hpp"
-#include "storage/repository/work/upload_repository.hpp"
+#include "storage/repository/work/uploads_of.hpp"
 
 namespace floeplan::routes {
 namespace {
@@ -81,12 +81,12 @@ tl::expected<json, core::Violations> checked_ingest_inputs(const Context& contex
                                                            const json& inputs) {
   const auto parsed = codec::parse_ingest_inputs(inputs);
   if (!parsed) return tl::unexpected(parsed.error());
-  const repository::UploadRepository uploads{context.service.uploads};
+  const auto uploads = repository::uploads_of(context.db, context.service.uploads);
   messages::Faults faults;
   std::set<std::string> names;
   for (std::size_t i = 0; i < parsed->uploads.size() && !faults.is_full(); ++i) {
     const std::string pointer = "/uploads/" + std::to_string(i);
-    const auto upload = uploads.find(parsed->uploads[i]);
+    const auto upload = uploads->find(parsed->uploads[i]);
     if (!upload || !may_see_of(request, upload->owner)) {
       faults.refuse<"no-such-upload">(pointer, parsed->uploads[i]);
     } else if (!names.insert(upload->name).second) {

@@ -47,7 +47,7 @@ struct Request {
   std::map<std::string, std::string> headers;  // names in lower case
   std::string body;
   std::optional<BodyFile> body_file;  // if set, `body` is empty
-  core::UtcTime now;
+  core::UtcTime now;             // by the clock of the store
   std::string id;                // for X-Request-Id in the answer, and for the log
   std::string peer;              // address of the client, or of the proxy
   std::optional<Caller> caller;  // set by the doorkeeper; empty: not identified

@@ -54,4 +54,7 @@ class Router {
 /// All operations of the service.
 [[nodiscard]] std::vector<Route> all_routes();
 
+/// The operations of a node that only works: health, readiness and metrics, for everybody.
+[[nodiscard]] std::vector<Route> node_routes();
+
 }  // namespace floeplan::routes

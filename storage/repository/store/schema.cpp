@@ -1,9 +1,11 @@
 #include "storage/repository/store/schema.hpp"
 
+#include <iterator>
 #include <stdexcept>
 #include <string>
 
 #include "engine/messages/store_messages.hpp"
+#include "storage/sql/driver/failure.hpp"
 #include "storage/sql/references.hpp"
 #include "storage/sql/schema_number.hpp"
 #include "storage/sql/statement.hpp"
@@ -16,31 +18,42 @@ void refuse_broken_references(sql::Connection& db) {
   if (sql::has_broken_references(db)) throw std::runtime_error{messages::store_text<"references-broken">()};
 }
 
-/// Stores at servers begin with this program's schema: there is no older one yet.
-void set_up_at_server(sql::Connection& db, std::int64_t before) {
-  refuse_newer_schema(before);
-  if (before == newest_schema()) return;
+/// Runs the scripts that a store at a server lacks. Nodes that start at the same time wait for the first of them.
+void set_up_at_server(sql::Connection& db) {
+  constexpr auto engine = sql::Engine::server;
+  const std::int64_t before = sql::schema_number(db);
+  refuse_newer_schema(before, engine);
+  if (before == newest_schema(engine)) return;
   sql::Transaction transaction{db};
-  // Asked again: another node may have set up the store in the meantime.
-  if (sql::schema_number(db) != newest_schema()) {
-    sql::execute(db, server_schema());
-    sql::set_schema_number(db, newest_schema());
+  const std::int64_t found = sql::schema_number(db);
+  refuse_newer_schema(found, engine);
+  const std::int64_t done = found == 0 ? 0 : found - first_server_schema + 1;
+  try {
+    for (const char* script : server_scripts().subspan(static_cast<std::size_t>(done)))
+      sql::execute(db, script);
+  } catch (const sql::Failure& failure) {
+    if (failure.trouble() != sql::Trouble::not_writable) throw;
+    throw std::runtime_error{messages::store_text<"store-needs-its-owner">(found, newest_schema(engine))};
   }
+  sql::set_schema_number(db, newest_schema(engine));
   transaction.commit();
 }
 
 }  // namespace
 
-std::int64_t newest_schema() { return static_cast<std::int64_t>(schema_scripts().size()); }
+std::int64_t newest_schema(sql::Engine engine) {
+  return engine == sql::Engine::server ? first_server_schema + std::ssize(server_scripts()) - 1
+                                       : std::ssize(schema_scripts());
+}
 
-void refuse_newer_schema(std::int64_t schema) {
-  if (schema <= newest_schema()) return;
-  throw std::runtime_error{messages::store_text<"store-newer">(schema, newest_schema())};
+void refuse_newer_schema(std::int64_t schema, sql::Engine engine) {
+  const std::int64_t newest = newest_schema(engine);
+  if (schema > newest) throw std::runtime_error{messages::store_text<"store-newer">(schema, newest)};
 }
 
 void bring_to_newest_schema(sql::Connection& db) {
+  if (db.engine() == sql::Engine::server) return set_up_at_server(db);
   const std::int64_t before = sql::schema_number(db);
-  if (db.engine() == sql::Engine::server) return set_up_at_server(db, before);
   refuse_newer_schema(before);
   if (before == newest_schema()) return;
 

@@ -13,18 +13,21 @@ namespace floeplan::repository {
 /// antimeridian ends beyond 180 degrees.
 [[nodiscard]] std::span<const char* const> schema_scripts();
 
-/// The schema of a store that a database server keeps: the same tables and columns as the newest of `schema_scripts`.
-/// Triggers, keys and indices are in the server's own words.
-[[nodiscard]] const char* server_schema();
+/// The same for stores that database servers keep. The first script makes a whole store, with the tables and
+/// columns of the files' schema `first_server_schema`; triggers, keys and indices are in the server's own words.
+/// The numbers of both lists go their own ways from there.
+[[nodiscard]] std::span<const char* const> server_scripts();
+
+inline constexpr std::int64_t first_server_schema = 17;
 
 /// The schema that this program writes. Stores with older schemas are converted to it, newer ones are refused.
-[[nodiscard]] std::int64_t newest_schema();
+[[nodiscard]] std::int64_t newest_schema(sql::Engine engine = sql::Engine::embedded);
 
 /// Since this schema the pages of a database have checksums.
 inline constexpr std::int64_t first_schema_with_checksums = 12;
 
 /// Errors  std::runtime_error for a schema that this program does not know yet
-void refuse_newer_schema(std::int64_t schema);
+void refuse_newer_schema(std::int64_t schema, sql::Engine engine = sql::Engine::embedded);
 
 /// Migrates a database from any older schema, or an empty one, to the newest schema in one transaction.
 /// Errors  std::runtime_error for a newer schema, and when rows refer to rows that do not exist

@@ -164,30 +164,38 @@ std::optional<std::string> name_of(std::optional<JobClass> only) {
   return only ? std::optional{class_name(*only)} : std::nullopt;
 }
 
+/// The beginning of the names of all workers of this worker's node; empty: all workers are one node's.
+std::string node_of(const std::string& worker) { return worker.substr(0, worker.rfind('/') + 1); }
+
+/// A job that waits, or whose worker was lost; ?1 is the time.
+const std::string claimable =
+    "(status = 'accepted' OR (status = 'running' AND (lease_until_s IS NULL OR lease_until_s <= ?1)))";
+
 /// Row of the next job to claim, see JobRepository::claim. Only reads, so that idle workers do not wait for
 /// each other's write lock.
-std::optional<std::int64_t> next_in_turn(sql::Connection& db, const Queue& queue, core::UtcTime now,
-                                         std::optional<JobClass> only,
+std::optional<std::int64_t> next_in_turn(sql::Connection& db, const Queue& queue, const std::string& worker,
+                                         core::UtcTime now, std::optional<JobClass> only,
                                          std::optional<std::int64_t> most_of_owner) {
   sql::Statement query = queue.statement(db, R"sql(
     SELECT first_row FROM (
       SELECT first_row, its_class, candidate, (
         SELECT count(*) FROM {jobs}
-        WHERE status = 'running' AND class = its_class AND owner = candidate AND lease_until_s > ?1) AS running
+        WHERE status = 'running' AND class = its_class AND owner = candidate AND lease_until_s > ?1) AS running, (
+        SELECT count(*) FROM {jobs}
+        WHERE status = 'running' AND class = its_class AND owner = candidate AND lease_until_s > ?1
+          AND substr(worker, 1, length(?5)) = ?5) AS running_here
       FROM (
         SELECT class AS its_class, owner AS candidate, min(row) AS first_row FROM {jobs} AS waiting
-        WHERE (?2 IS NULL OR class = ?2)
-          AND (status = 'accepted'
-               OR (status = 'running' AND attempts < ?4 AND (lease_until_s IS NULL OR lease_until_s <= ?1)))
+        WHERE (?2 IS NULL OR class = ?2) AND attempts < ?4 AND )sql" + claimable + R"sql(
           AND NOT (class = 'batch' AND EXISTS (
             SELECT 1 FROM {jobs} WHERE status = 'running' AND class = 'batch' AND owner = waiting.owner
               AND process = waiting.process AND lease_until_s > ?1))
         GROUP BY class, owner) AS candidates) AS turns
-    WHERE ?3 IS NULL OR running < ?3
+    WHERE ?3 IS NULL OR running_here < ?3
     ORDER BY CASE its_class WHEN 'interactive' THEN 0 WHEN 'batch' THEN 1 ELSE 2 END, running,
       (SELECT max(started_s) FROM job WHERE owner = candidate AND class = its_class) NULLS FIRST, first_row
     LIMIT 1)sql");
-  query.bind_all(now, name_of(only), most_of_owner, JobRepository::max_attempts);
+  query.bind_all(now, name_of(only), most_of_owner, JobRepository::max_attempts, node_of(worker));
   return query.step() ? std::optional{query.integer(0)} : std::nullopt;
 }
 
@@ -210,14 +218,16 @@ void fail_exhausted(sql::Connection& db, core::UtcTime now) {
       exhausted, bind);
 }
 
+/// Empty where the job has changed since it was chosen: at a database server it may have been dismissed meanwhile, or its
+/// worker has come back.
 std::optional<JobRecord> take(sql::Connection& db, std::int64_t row, const std::string& worker,
                               core::UtcTime now, core::Seconds lease) {
   sql::Statement update{db, R"sql(
     UPDATE job SET status = 'running', worker = ?2, lease_until_s = ?4, attempts = attempts + 1,
-      started_s = coalesce(started_s, ?3), updated_s = ?3, stage = '', progress = 0.0
-    WHERE row = ?1 RETURNING )sql" +
+      started_s = coalesce(started_s, ?1), updated_s = ?1, stage = '', progress = 0.0
+    WHERE row = ?3 AND )sql" + claimable + " RETURNING " +
                                 job_columns};
-  update.bind_all(row, worker, now, now + lease);
+  update.bind_all(now, worker, row, now + lease);
   return update.step() ? std::optional{read_job(update)} : std::nullopt;
 }
 
@@ -325,14 +335,14 @@ std::optional<JobRecord> JobRepository::claim(const std::string& worker, core::U
   while (true) {
     std::optional<std::int64_t> row;
     try {
-      row = next_in_turn(db_, queue, now, only, most_of_owner);
+      row = next_in_turn(db_, queue, worker, now, only, most_of_owner);
       if (!row) return std::nullopt;
       sql::Transaction transaction{db_};
-      row = next_in_turn(db_, queue, now, only, most_of_owner);
+      row = next_in_turn(db_, queue, worker, now, only, most_of_owner);
       std::optional<JobRecord> claimed;
       if (row) claimed = take(db_, *row, worker, now, lease);
       transaction.commit();
-      return claimed;
+      if (claimed || !row) return claimed;
     } catch (const sql::Failure& failure) {
       if (failure.trouble() != sql::Trouble::damaged || !queue.leave_out(db_, row)) throw;
     }

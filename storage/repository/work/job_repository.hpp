@@ -109,8 +109,10 @@ class JobRepository {
   /// class; of several such owners the one whose last job started longest ago; the owner's oldest job. Batch
   /// jobs of one owner and one process never run at the same time, so that they keep their order and one
   /// owner does not occupy all workers. Damaged jobs are skipped and do not block others.
+  /// `worker`         name of the node, "/", number of the worker there
   /// `only`           only jobs of this class; empty: of any class
-  /// `most_of_owner`  owners with this number of running jobs of the class are skipped; empty: no limit
+  /// `most_of_owner`  owners with this number of running jobs of the class at this node are skipped; empty: no
+  ///                  limit
   [[nodiscard]] std::optional<JobRecord> claim(const std::string& worker, core::UtcTime now,
                                                core::Seconds lease, std::optional<JobClass> only = {},
                                                std::optional<std::int64_t> most_of_owner = {});
@@ -126,8 +128,8 @@ class JobRepository {
   /// Returns all running jobs of this worker to the queue (on a graceful stop); this does not count as an
   /// attempt.
   void hand_back(const std::string& worker, core::UtcTime now);
-  /// Call at the start of a server: all running jobs, which belonged to workers of the previous server
-  /// process, can be claimed at once.
+  /// Call at the start of the only server of a store: all running jobs, which belonged to workers of the previous
+  /// server process, can be claimed at once.
   void release_all_leases(core::UtcTime now);
   /// Dismisses an accepted or running job. False when it is unknown or has ended.
   bool dismiss(const JobId& id, core::UtcTime now);

@@ -1,72 +1,30 @@
 #include "storage/repository/work/upload_repository.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <chrono>
-#include <fstream>
 #include <random>
-#include <stdexcept>
-
-#include "engine/messages/store_messages.hpp"
-#include "storage/json/json.hpp"
+#include <string_view>
 
 namespace floeplan::repository {
 namespace {
 
-namespace fs = std::filesystem;
-using nlohmann::json;
-
-constexpr std::size_t id_length = 32;
+constexpr std::size_t upload_id_length = 32;
 constexpr std::string_view hexadecimal = "0123456789abcdef";
 
-/// A random id, so that nobody can guess the id of another user's upload.
-std::string random_id() {
+}  // namespace
+
+std::string random_upload_id() {
   std::random_device source;
   std::string text;
-  while (text.size() < id_length) {
+  while (text.size() < upload_id_length) {
     const auto bits = source();
     for (unsigned shift = 0; shift < 32; shift += 4) text += hexadecimal[(bits >> shift) & 15U];
   }
   return text;
 }
 
-/// Whether a text is an id. Only ids become part of a path.
-bool is_id(const std::string& text) {
-  return text.size() == id_length && text.find_first_not_of(hexadecimal) == std::string::npos;
+bool is_upload_id(const std::string& text) {
+  return text.size() == upload_id_length && text.find_first_not_of(hexadecimal) == std::string::npos;
 }
-
-void flush_to_disk(const fs::path& path) {
-  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  const bool flushed = descriptor >= 0 && fsync(descriptor) == 0;
-  if (descriptor >= 0) close(descriptor);
-  if (!flushed) throw std::runtime_error{messages::store_text<"upload-not-written">()};
-}
-
-core::UtcTime time_of_change(const fs::path& path) {
-  const auto changed = std::chrono::file_clock::to_sys(fs::last_write_time(path));
-  return std::chrono::time_point_cast<core::Seconds>(changed);
-}
-
-/// The upload of a description; nullopt if the description is damaged, so that a list can skip it.
-std::optional<Upload> parse_upload(const std::string& id, const json& document) {
-  try {
-    Upload upload{.id = id,
-                  .name = document.at("name"),
-                  .bytes = document.at("bytes"),
-                  .sha256 = document.at("sha256"),
-                  .owner = document.value("owner", ""),  // absent in older versions
-                  .created = core::from_unix_seconds(document.at("created_s").get<double>()),
-                  .expires = core::from_unix_seconds(document.at("expires_s").get<double>())};
-    if (upload.name != plain_file_name(upload.name)) return std::nullopt;
-    return upload;
-  } catch (const json::exception&) {
-    return std::nullopt;
-  }
-}
-
-}  // namespace
 
 std::string plain_file_name(const std::string& name) {
   constexpr std::size_t longest = 100;
@@ -80,75 +38,6 @@ std::string plain_file_name(const std::string& name) {
   if (plain.size() > longest) plain = plain.substr(plain.size() - longest);
   plain.erase(0, std::min(plain.find_first_not_of('.'), plain.size()));
   return plain.empty() ? "upload" : plain;
-}
-
-Upload UploadRepository::add(const fs::path& file, const std::string& name, const std::string& sha256,
-                             const std::string& owner, core::UtcTime now) {
-  const Upload upload{.id = random_id(),
-                      .name = plain_file_name(name),
-                      .bytes = fs::file_size(file),
-                      .sha256 = sha256,
-                      .owner = owner,
-                      .created = now,
-                      .expires = now + lifetime};
-  const fs::path unfinished = folder_ / (upload.id + ".new");
-  fs::create_directories(unfinished);
-  fs::rename(file, unfinished / "data");
-  std::ofstream{unfinished / "upload.json"} << json{{"name", upload.name},
-                                                    {"bytes", upload.bytes},
-                                                    {"sha256", upload.sha256},
-                                                    {"owner", upload.owner},
-                                                    {"created_s", core::unix_seconds(upload.created)},
-                                                    {"expires_s", core::unix_seconds(upload.expires)}};
-  flush_to_disk(unfinished / "data");
-  flush_to_disk(unfinished / "upload.json");
-  flush_to_disk(unfinished);
-  fs::rename(unfinished, folder_ / upload.id);
-  flush_to_disk(folder_);
-  return upload;
-}
-
-std::optional<Upload> UploadRepository::find(const std::string& id) const {
-  if (!is_id(id)) return std::nullopt;
-  std::ifstream in{folder_ / id / "upload.json"};
-  return parse_upload(id, json::parse(in, nullptr, false));
-}
-
-std::vector<Upload> UploadRepository::list() const {
-  std::vector<Upload> uploads;
-  std::error_code error;
-  for (fs::directory_iterator entry{folder_, error}, end; !error && entry != end; entry.increment(error)) {
-    if (auto upload = find(entry->path().filename())) uploads.push_back(std::move(*upload));
-  }
-  std::ranges::sort(uploads, [](const Upload& a, const Upload& b) {
-    return a.created != b.created ? a.created > b.created : a.id < b.id;
-  });
-  return uploads;
-}
-
-bool UploadRepository::remove(const std::string& id) {
-  if (!is_id(id)) return false;
-  std::error_code error;
-  // renamed first, so that it disappears at once, however long the deletion takes
-  const fs::path gone = folder_ / (id + ".gone");
-  fs::rename(folder_ / id, gone, error);
-  if (error) return false;
-  fs::remove_all(gone, error);
-  return true;
-}
-
-void UploadRepository::remove_expired(core::UtcTime now) {
-  std::error_code error;
-  for (fs::directory_iterator entry{folder_, error}, end; !error && entry != end; entry.increment(error)) {
-    const std::string name = entry->path().filename();
-    if (const auto upload = find(name)) {
-      if (upload->expires <= now) remove(name);
-      continue;
-    }
-    std::error_code ignored;
-    if (fs::exists(entry->path(), ignored) && time_of_change(entry->path()) + lifetime <= now)
-      fs::remove_all(entry->path(), ignored);
-  }
 }
 
 }  // namespace floeplan::repository

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "engine/core/units.hpp"
@@ -25,33 +26,35 @@ struct Upload {
 /// the beginning, at most 100 characters with the ending kept; "upload" if nothing is left.
 [[nodiscard]] std::string plain_file_name(const std::string& name);
 
-/// Stores uploads in one folder. Each upload is a folder with the bytes and a description. An upload exists
-/// completely or not at all, even if the process or the machine stops.
-/// Threads  any number at once
+/// A new random id of an upload, so that nobody can guess that of another user's.
+[[nodiscard]] std::string random_upload_id();
+/// Whether a text is an id. Only ids become part of a path.
+[[nodiscard]] bool is_upload_id(const std::string& text);
+
+/// Keeps uploads until they are ingested. An upload exists completely or not at all, even if the process or the
+/// machine stops.
+/// Errors   std::runtime_error when it cannot be written
 class UploadRepository {
  public:
-  explicit UploadRepository(std::filesystem::path folder) : folder_{std::move(folder)} {}
-
   static constexpr core::Seconds lifetime{24.0 * 3600.0};
 
-  /// Moves a file into the store of uploads. Precondition: the file is on the same disk as the store.
-  Upload add(const std::filesystem::path& file, const std::string& name, const std::string& sha256,
-             const std::string& owner, core::UtcTime now);
-  /// The upload with this id; nullopt if the id is unknown or invalid, or the description is damaged.
-  [[nodiscard]] std::optional<Upload> find(const std::string& id) const;
-  /// All uploads, newest first; ties by id.
-  [[nodiscard]] std::vector<Upload> list() const;
-  /// The file with the bytes of an upload.
-  [[nodiscard]] std::filesystem::path file_of(const Upload& upload) const {
-    return folder_ / upload.id / "data";
-  }
-  /// Removes an upload. False if the upload does not exist.
-  bool remove(const std::string& id);
-  /// Removes uploads whose lifetime has ended, and unfinished files of killed processes.
-  void remove_expired(core::UtcTime now);
+  virtual ~UploadRepository() = default;
 
- private:
-  std::filesystem::path folder_;
+  /// Keeps a file, and takes it away from where it is.
+  virtual Upload add(const std::filesystem::path& file, const std::string& name, const std::string& sha256,
+                     const std::string& owner, core::UtcTime now) = 0;
+  /// The upload with this id; nullopt if the id is unknown or invalid, or the description is damaged.
+  [[nodiscard]] virtual std::optional<Upload> find(const std::string& id) const = 0;
+  /// All uploads, newest first; ties by id.
+  [[nodiscard]] virtual std::vector<Upload> list() const = 0;
+  /// Gives the bytes of an upload to a new file, which must only be read.
+  /// Returns  why that failed; none: it did not
+  [[nodiscard]] virtual std::error_code lay_out(const Upload& upload,
+                                                const std::filesystem::path& file) const = 0;
+  /// Removes an upload. False if the upload does not exist.
+  virtual bool remove(const std::string& id) = 0;
+  /// Removes uploads whose lifetime has ended, and unfinished files of killed processes.
+  virtual void remove_expired(core::UtcTime now) = 0;
 };
 
 }  // namespace floeplan::repository

@@ -11,7 +11,7 @@
 #include "server/jobs/job_board.hpp"
 #include "storage/repository/datasets/dataset_repository.hpp"
 #include "storage/repository/store/migrations.hpp"
-#include "storage/repository/work/upload_repository.hpp"
+#include "storage/repository/work/upload_folder.hpp"
 #include "storage/sql/upkeep.hpp"
 #include "tests/server/jobs/wait_until.hpp"
 #include "tests/support/places.hpp"
@@ -102,7 +102,7 @@ TEST(KilledServer, StoresAnUploadWholeAndOnceWheneverItIsKilled) {
     auto db = repository::open_store(store.path());
     const std::string grid = large_grid();
     std::ofstream{store.path() / "arriving"} << grid;
-    const auto upload = repository::UploadRepository{store.path() / "uploads"}.add(
+    const auto upload = repository::UploadFolder{store.path() / "uploads"}.add(
         store.path() / "arriving", "bed.asc", codec::sha256(grid), "", std::chrono::system_clock::now());
     JobBoard queue;
     const auto job =

@@ -1,13 +1,16 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "storage/repository/access/audit_repository.hpp"
 #include "storage/repository/store/dataset_tables.hpp"
 #include "storage/repository/store/migrations.hpp"
 #include "storage/repository/store/schema.hpp"
 #include "storage/sql/schema_number.hpp"
+#include "storage/sql/statement.hpp"
 #include "storage/sql/tables.hpp"
 #include "tests/support/empty_store.hpp"
 
@@ -41,7 +44,29 @@ TEST(ServerSchema, HasTheTablesAndColumnsOfAStoreInAFolder) {
 TEST(ServerSchema, IsLeftAsItIsWhenTheStoreIsOpenedAgain) {
   sql::Connection db = support::empty_store();
   bring_to_newest_schema(db);
-  EXPECT_EQ(sql::schema_number(db), newest_schema());
+  EXPECT_EQ(sql::schema_number(db), newest_schema(db.engine()));
+}
+
+/// What the first program for database servers made is brought up to date, with all that is in it.
+TEST(ServerSchema, IsReachedFromTheFirstOneOfServers) {
+  sql::Connection db = support::empty_store();
+  if (!sql::is_shared(db)) GTEST_SKIP() << "runs at a database server";
+  sql::execute(db, "DROP TABLE upload_block; DROP TABLE upload; DROP FUNCTION announce_job CASCADE");
+  sql::set_schema_number(db, first_server_schema);
+  AuditRepository{db}.add({.at = core::UtcTime{core::Seconds{1.8e9}}, .caller = "ann", .peer = {},
+                           .action = "plan", .target = {}, .request_id = {}});
+
+  bring_to_newest_schema(db);
+
+  EXPECT_EQ(sql::schema_number(db), newest_schema(db.engine()));
+  EXPECT_TRUE(sql::has_table(db, "upload_block"));
+  EXPECT_EQ(AuditRepository{db}.list(0, 10).size(), 1U);
+}
+
+TEST(ServerSchema, OfANewerProgramIsRefused) {
+  sql::Connection db = support::empty_store();
+  sql::set_schema_number(db, newest_schema(db.engine()) + 1);
+  EXPECT_THROW(bring_to_newest_schema(db), std::runtime_error);
 }
 
 }  // namespace

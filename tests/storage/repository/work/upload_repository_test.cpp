@@ -1,10 +1,12 @@
-#include "storage/repository/work/upload_repository.hpp"
+#include "storage/repository/work/upload_folder.hpp"
+#include "storage/repository/work/uploads_of.hpp"
 
 #include <gmock/gmock.h>
 
 #include <fstream>
 #include <iterator>
 
+#include "tests/support/empty_store.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -13,21 +15,34 @@ namespace {
 
 const core::UtcTime noon{core::Seconds{1.8e9}};
 
+/// The uploads of a store: in a folder, or at a database server.
 class UploadRepositoryTest : public testing::Test {
  protected:
   Upload send(const std::string& name, const std::string& content = "data", core::UtcTime now = noon) {
     std::ofstream{folder_.path() / "arriving"} << content;
-    return uploads_.add(folder_.path() / "arriving", name, "digest", "ann", now);
+    return uploads_->add(folder_.path() / "arriving", name, "digest", "ann", now);
   }
 
   support::TemporaryFolder folder_;
-  UploadRepository uploads_{folder_.path() / "uploads"};
+  sql::Connection db_{support::empty_store()};
+  std::unique_ptr<UploadRepository> uploads_{uploads_of(db_, folder_.path() / "uploads")};
+};
+
+class UploadFolderTest : public testing::Test {
+ protected:
+  Upload send(const std::string& name) {
+    std::ofstream{folder_.path() / "arriving"} << "data";
+    return uploads_.add(folder_.path() / "arriving", name, "digest", "ann", noon);
+  }
+
+  support::TemporaryFolder folder_;
+  UploadFolder uploads_{folder_.path() / "uploads"};
 };
 
 TEST_F(UploadRepositoryTest, GivesBackWhatWasSent) {
   const Upload sent = send("u.nc", "some bytes");
 
-  const auto found = UploadRepository{folder_.path() / "uploads"}.find(sent.id);
+  const auto found = uploads_of(db_, folder_.path() / "uploads")->find(sent.id);
 
   ASSERT_TRUE(found.has_value());
   EXPECT_EQ(found->name, "u.nc");
@@ -35,24 +50,43 @@ TEST_F(UploadRepositoryTest, GivesBackWhatWasSent) {
   EXPECT_EQ(found->sha256, "digest");
   EXPECT_EQ(found->owner, "ann");
   EXPECT_EQ(found->expires, noon + UploadRepository::lifetime);
-  std::ifstream in{uploads_.file_of(*found)};
+  EXPECT_FALSE(uploads_->lay_out(*found, folder_.path() / "laid out"));
+  std::ifstream in{folder_.path() / "laid out"};
   EXPECT_EQ(std::string(std::istreambuf_iterator<char>{in}, {}), "some bytes");
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "arriving")) << "it was taken away";
+}
+
+TEST_F(UploadRepositoryTest, GivesBackALargeFileByteByByte) {
+  std::mt19937_64 rng{7};
+  std::string content(3'500'000, ' ');  // more than one block
+  for (char& c : content) c = static_cast<char>(support::uniform_int(rng, -128, 127));
+  const Upload sent = send("large.nc", content);
+
+  ASSERT_FALSE(uploads_->lay_out(sent, folder_.path() / "laid out"));
+
+  std::ifstream in{folder_.path() / "laid out", std::ios::binary};
+  EXPECT_TRUE(std::string(std::istreambuf_iterator<char>{in}, {}) == content);
+}
+
+TEST_F(UploadRepositoryTest, SaysThatARemovedUploadCannotBeLaidOut) {
+  const Upload sent = send("u.nc");
+  ASSERT_TRUE(uploads_->remove(sent.id));
+  EXPECT_TRUE(uploads_->lay_out(sent, folder_.path() / "laid out"));
 }
 
 TEST_F(UploadRepositoryTest, ListsTheNewestFirst) {
-  EXPECT_THAT(uploads_.list(), testing::IsEmpty()) << "there is no folder yet";
+  EXPECT_THAT(uploads_->list(), testing::IsEmpty()) << "there is no folder yet";
   send("second", "", noon + core::Seconds{1.0});
   send("third", "", noon + core::Seconds{2.0});
   send("first", "", noon);
-  std::filesystem::create_directories(folder_.path() / "uploads" / "half.new");
 
-  EXPECT_THAT(uploads_.list(), testing::ElementsAre(testing::Field(&Upload::name, "third"),
+  EXPECT_THAT(uploads_->list(), testing::ElementsAre(testing::Field(&Upload::name, "third"),
                                                     testing::Field(&Upload::name, "second"),
                                                     testing::Field(&Upload::name, "first")));
 }
 
 /// Whatever a disk does to a description: the other uploads are there, and no name becomes a path.
-TEST_F(UploadRepositoryTest, WhoseDescriptionIsChangedIsPassedOver) {
+TEST_F(UploadFolderTest, WhoseDescriptionIsChangedIsPassedOver) {
   const Upload whole = send("whole");
   const Upload changed = send("changed.nc");
   const auto description = folder_.path() / "uploads" / changed.id / "upload.json";
@@ -77,28 +111,43 @@ TEST_F(UploadRepositoryTest, WhoseDescriptionIsChangedIsPassedOver) {
 TEST_F(UploadRepositoryTest, TakesNoIdForAPath) {
   std::ofstream{folder_.path() / "upload.json"} << "{}";
   for (const char* id : {"..", "../..", ".", "", "/etc", "0123456789abcdef0123456789abcdeF", "../uploads"}) {
-    EXPECT_FALSE(uploads_.find(id).has_value()) << id;
-    EXPECT_FALSE(uploads_.remove(id)) << id;
+    EXPECT_FALSE(uploads_->find(id).has_value()) << id;
+    EXPECT_FALSE(uploads_->remove(id)) << id;
   }
 }
 
 TEST_F(UploadRepositoryTest, RemovesWhatIsForgottenAndKeepsTheRest) {
   const Upload old = send("old.nc");
-  std::filesystem::create_directories(folder_.path() / "uploads" / "half.new");
   const core::UtcTime next_day = noon + UploadRepository::lifetime;
+  const Upload young = send("young.nc", "data", noon + core::Seconds{1.0});
 
-  uploads_.remove_expired(next_day - core::Seconds{1.0});
-  EXPECT_TRUE(uploads_.find(old.id).has_value());
-  uploads_.remove_expired(next_day);
+  uploads_->remove_expired(next_day - core::Seconds{1.0});
+  EXPECT_TRUE(uploads_->find(old.id).has_value());
+  uploads_->remove_expired(next_day);
 
-  EXPECT_FALSE(uploads_.find(old.id).has_value());
-  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "uploads" / old.id));
+  EXPECT_FALSE(uploads_->find(old.id).has_value());
+  EXPECT_TRUE(uploads_->find(young.id).has_value());
 }
 
 TEST_F(UploadRepositoryTest, RemovesOnce) {
   const Upload sent = send("u.nc");
+  EXPECT_TRUE(uploads_->remove(sent.id));
+  EXPECT_FALSE(uploads_->remove(sent.id));
+}
+
+TEST_F(UploadFolderTest, HoldsNoFileOfARemovedUpload) {
+  const Upload sent = send("u.nc");
   EXPECT_TRUE(uploads_.remove(sent.id));
-  EXPECT_FALSE(uploads_.remove(sent.id));
+  EXPECT_TRUE(std::filesystem::is_empty(folder_.path() / "uploads"));
+}
+
+/// What a killed process left is no upload, and goes after a day.
+TEST_F(UploadFolderTest, TakesAnUnfinishedUploadForNone) {
+  std::filesystem::create_directories(folder_.path() / "uploads" / "half.new");
+  EXPECT_THAT(uploads_.list(), testing::IsEmpty());
+  uploads_.remove_expired(std::chrono::system_clock::now());
+  EXPECT_FALSE(std::filesystem::is_empty(folder_.path() / "uploads"));
+  uploads_.remove_expired(std::chrono::system_clock::now() + UploadRepository::lifetime + core::Seconds{5.0});
   EXPECT_TRUE(std::filesystem::is_empty(folder_.path() / "uploads"));
 }
 
