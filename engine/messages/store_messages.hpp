@@ -120,6 +120,19 @@ inline constexpr auto store_kinds = std::to_array<Kind>({
      .text = "a newer Floeplan wrote the store (its schema is {schema}; this program knows {known})",
      .hint = "update the program, or choose another folder",
      .slots = {{{"schema", 32}, {"known", 31}}}},
+    {.code = "store-needs-its-owner",
+     .text = "the store at the database server has schema {schema}, this program needs {known}, and this role may "
+             "not change tables",
+     .hint = "run `floeplan store prepare --for ROLE` once as the role that owns the tables",
+     .slots = {{{"schema", 17}, {"known", 18}}}},
+    {.code = "copy-into-used-store",
+     .text = "the store to copy into is not empty: there are rows in the table {table}",
+     .hint = "name a new folder, or a database or schema without a store",
+     .slots = {{{"table", "job"}}}},
+    {.code = "copy-differs",
+     .text = "the copy of the table {table} differs from what was read, and no copy was kept",
+     .hint = "copy again; if it differs again, have the memory and the disks of both machines checked",
+     .slots = {{{"table", "plan"}}}},
 
     // Backups, repairs and new versions.
     {.code = "header-damaged",

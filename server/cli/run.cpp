@@ -44,6 +44,7 @@ void add_instructions(CLI::App& app) {
 
 void add_commands(CLI::App& app, Program& program) {
   add_serve(app, program);
+  add_worker(app, program);
   add_ingest(app, program);
   add_read_files(app, program);
   add_formats(app, program);
@@ -62,6 +63,7 @@ void add_commands(CLI::App& app, Program& program) {
   add_demo(app, program);
   add_token(app, program);
   add_audit(app, program);
+  add_store(app, program);
   add_backup(app, program);
   add_restore(app, program);
   add_verify(app, program);

@@ -1,5 +1,6 @@
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "server/cli/program/command.hpp"
 #include "server/cli/serving/serve.hpp"
@@ -17,16 +18,35 @@ void add_time_limit(CLI::App& command, const std::string& job_class, core::Secon
       ->default_str(std::to_string(static_cast<long>(limit.count())));
 }
 
+/// Adds the flags of a process that runs jobs.
+void add_work(CLI::App& command, ServeOptions& options) {
+  command
+      .add_option("--workers", options.workers,
+                  "Interactive jobs of one token at the same time, and one of another; flights of one batch")
+      ->capture_default_str();
+  add_time_limit(command, "interactive", options.time_limits.interactive);
+  add_time_limit(command, "batch", options.time_limits.batch);
+  add_time_limit(command, "ingest", options.time_limits.ingest);
+  command.add_flag("--allow-weak-sandbox", options.allow_weak_sandbox,
+                   "Ingest files even where this machine cannot confine the processes that read them");
+}
+
+void run_by(CLI::App& command, const std::shared_ptr<ServeOptions>& options, Program& program) {
+  command.callback([options, &program] {
+    options->store = program.store;
+    options->server = program.server;
+    options->log_level = program.log_level;
+    options->reread = program.reread_serve;
+    program.exit_code = program.serve(*options);
+  });
+}
+
 }  // namespace
 
 void add_serve(CLI::App& app, Program& program) {
   auto options = std::make_shared<ServeOptions>();
   auto* command = app.add_subcommand("serve", "Serve the map, the HTTP API and the guide");
   command->add_option("--listen", options->listen, "ADDR:PORT; port 0: any free port")->capture_default_str();
-  command
-      ->add_option("--workers", options->workers,
-                   "Interactive jobs of one token at the same time, and one of another; flights of one batch")
-      ->capture_default_str();
   command->add_option("--web", options->web, "Folder of the built map client");
   command->add_option("--watch", options->watch,
                       "Folder to watch: complete files are ingested, then moved to done/ or "
@@ -47,9 +67,7 @@ void add_serve(CLI::App& app, Program& program) {
                    "Uploads of one token that may wait to be ingested")
       ->check(CLI::Range(std::size_t{1}, std::size_t{100'000}))
       ->capture_default_str();
-  add_time_limit(*command, "interactive", options->time_limits.interactive);
-  add_time_limit(*command, "batch", options->time_limits.batch);
-  add_time_limit(*command, "ingest", options->time_limits.ingest);
+  add_work(*command, *options);
   command->add_option(
       "--public-url", options->public_url,
       "Address that links in answers begin with, where clients know the server by another than --listen");
@@ -65,15 +83,31 @@ void add_serve(CLI::App& app, Program& program) {
   command->add_option("--allow-origin", options->allow_origins,
                       "Site with pages that may send requests from a browser, for example "
                       "https://map.example; may be repeated");
-  command->add_flag("--allow-weak-sandbox", options->allow_weak_sandbox,
-                    "Ingest files even where this machine cannot confine the processes that read them");
-  command->callback([options, &program] {
-    options->store = program.store;
-    options->server = program.server;
-    options->log_level = program.log_level;
-    options->reread = program.reread_serve;
-    program.exit_code = program.serve(*options);
-  });
+  run_by(*command, options, program);
+}
+
+void add_worker(CLI::App& app, Program& program) {
+  auto options = std::make_shared<ServeOptions>();
+  options->only_works = true;
+  options->listen = "127.0.0.1:0";
+  auto* command = app.add_subcommand("worker", "Run jobs from the queue of a store that several machines share");
+  command
+      ->add_option("--listen", options->listen,
+                   "ADDR:PORT of health, readiness and metrics; port 0: any free port")
+      ->capture_default_str();
+  command
+      ->add_option_function<std::vector<std::string>>(
+          "--lanes",
+          [options](const std::vector<std::string>& names) {
+            options->lanes.clear();
+            for (const std::string& name : names) options->lanes.insert(repository::parse_class(name));
+          },
+          "Kinds of jobs to run, separated by commas: interactive, batch, ingest")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"interactive", "batch", "ingest"}))
+      ->default_str("interactive,batch,ingest");
+  add_work(*command, *options);
+  run_by(*command, options, program);
 }
 
 }  // namespace floeplan::cli

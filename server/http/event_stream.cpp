@@ -87,7 +87,6 @@ net::awaitable<std::size_t> Session::stream(Request& request, Response piece) {
       due = steady_clock::now() >= heartbeat;
     }
     request.resumption = routes::Resumption{piece.wait->token, due};
-    request.now = std::chrono::system_clock::now();
     piece = co_await answer_in_turn(request);
     if (!piece.streams) break;  // the store cannot be read; the client will reconnect
   }

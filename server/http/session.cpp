@@ -30,7 +30,6 @@ using beast::error_code;
 using routes::Request;
 using routes::Response;
 
-core::UtcTime now() { return std::chrono::system_clock::now(); }
 
 /// An id that is unique in this process, and in practice among all processes.
 std::string next_request_id() {
@@ -200,7 +199,6 @@ net::awaitable<bool> Session::exchange() {
   } else if (request) {
     request->body = std::move(body.body);
     if (sink) request->body_file = sink->finish();
-    request->now = now();
     request->id = id;
     request->peer = peer_;
     response = co_await answer(*request);
@@ -239,7 +237,6 @@ net::awaitable<bool> Session::exchange() {
 /// Asks before a body is read whether the caller may send it, so that others cannot fill the disk.
 net::awaitable<std::optional<Response>> Session::ask_doors(Request& request) {
   if (!share_.equipment.streaming.refuse) co_return std::nullopt;
-  request.now = now();
   request.peer = peer_;
   const std::function<std::optional<Response>()> ask = [&] {
     return or_problem<std::optional<Response>>(request,
@@ -310,8 +307,7 @@ net::awaitable<Response> Session::wait_and_answer(Request& request, routes::Wait
     const bool last = finishing_ || std::chrono::steady_clock::now() >= deadline;
     *woken = false;
     request.resumption = routes::Resumption{wait.token, last};
-    request.now = now();
-    Response response = co_await answer_in_turn(request);
+      Response response = co_await answer_in_turn(request);
     if (!response.wait || last) co_return response;
     if (*woken) continue;
     error_code ignored;

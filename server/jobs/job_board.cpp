@@ -93,11 +93,7 @@ tl::expected<JobRecord, SubmissionRefused> JobBoard::submit(sql::Connection& db,
   transaction.commit();
   if (shared) return job;
 
-  {
-    const std::lock_guard lock{mutex_};
-    ++submissions_;
-  }
-  work_.notify_all();  // all, because a worker takes only jobs of its class
+  wake_workers();
   announce(job.id);
   return job;
 }
@@ -201,6 +197,29 @@ void JobBoard::announce(const JobId& id) {
   const std::lock_guard lock{mutex_};
   wake(id);
   wake({});
+}
+
+void JobBoard::take_note(const JobId& id, const std::string& status) {
+  if (status == repository::status_name(repository::JobStatus::accepted)) wake_workers();
+  const std::lock_guard lock{mutex_};
+  if (const auto found = running_.find(id); found != running_.end()) found->second.job.changed = true;
+  wake(id);
+  wake({});
+}
+
+void JobBoard::take_note_of_all() {
+  wake_workers();
+  const std::lock_guard lock{mutex_};
+  for (auto& [id, entry] : running_) entry.job.changed = true;
+  for (const auto& [id, waiting] : subscribers_) wake(id);
+}
+
+void JobBoard::wake_workers() {
+  {
+    const std::lock_guard lock{mutex_};
+    ++submissions_;
+  }
+  work_.notify_all();  // all, because a worker takes only jobs of its class
 }
 
 void JobBoard::wake(const JobId& id) {

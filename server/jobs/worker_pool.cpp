@@ -3,10 +3,12 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <array>
 #include <chrono>
 #include <map>
 #include <new>
 #include <optional>
+#include <random>
 
 #include "api/log/log.hpp"
 #include "server/jobs/pause.hpp"
@@ -20,11 +22,13 @@ using repository::JobClass;
 using repository::JobRecord;
 using repository::JobRepository;
 
-// Practically unlimited. Only one server uses a store, and it takes back all leases when it starts, so a
-// lease need not expire. A lease that expired because the clock was set would make a job run twice at the
-// same time.
-constexpr core::Seconds lease{1e9};
-constexpr core::Seconds renewal_interval{5.0};  // if there is no progress to store
+// Of a store that only one server uses, and which takes back all leases when it starts: practically unlimited. A
+// lease that expired because the clock was set would make a job run twice at the same time.
+constexpr core::Seconds lease_of_only_server{1e9};
+// Of a store that several nodes share: a node that was lost for six renewals is taken for dead, and another one
+// takes its jobs. A node that comes back in time keeps them.
+constexpr core::Seconds lease_among_nodes{30.0};
+constexpr std::chrono::seconds renewal_interval{5};  // if there is no progress to store
 constexpr std::chrono::milliseconds progress_interval{250};
 
 /// Size of the cache of currents between jobs, bytes. Five days of hourly currents over 150 x 150 km on six
@@ -41,7 +45,14 @@ constexpr const char* no_memory =
     "the server has not enough memory for this; ask for less at once (a wider spacing_m, fewer sectors, a "
     "shorter window), or again when it has less to do";
 
-core::UtcTime now() { return std::chrono::system_clock::now(); }
+/// A name that no other process has, so that a node which was killed and started again does not take its old jobs for
+/// its own.
+std::string name_of_node() {
+  std::array<char, 256> host{};
+  if (gethostname(host.data(), host.size() - 1) != 0) host.front() = '\0';
+  std::random_device source;
+  return std::string{host.data()} + "-" + std::to_string(getpid()) + "-" + std::to_string(source());
+}
 
 /// Lowers the priority of this thread below that of requests; batches below interactive jobs. Linux has a
 /// priority for each thread, and new threads inherit it.
@@ -88,7 +99,7 @@ void keep_trying(sql::Connection& db, const repository::JobId& id, const Write& 
 }  // namespace
 
 WorkerPool::WorkerPool(const OpenStore& open_store, JobBoard& board, std::size_t workers,
-                       service::IngestPlace place, TimeLimits limits)
+                       service::IngestPlace place, TimeLimits limits, const Lanes& lanes)
     : board_{board},
       workers_{workers},
       place_{std::move(place)},
@@ -97,16 +108,20 @@ WorkerPool::WorkerPool(const OpenStore& open_store, JobBoard& board, std::size_t
             .grounds = repository::RecentlyUsed<service::GroundKey, planning::search::RouteGround>{
                 most_kept_grounds}} {
   auto db = open_store();
-  JobRepository{db}.release_all_leases(now());
+  const bool shared = sql::is_shared(db);
+  lease_ = shared ? lease_among_nodes : lease_of_only_server;
+  if (!shared) JobRepository{db}.release_all_leases(sql::time_of(db));
   // All connections are opened here, so that a failure prevents the start of the pool instead of ending a
   // thread later.
   lease_keeper_ = std::jthread{
       [this, own = open_store()](const std::stop_token& stop) mutable { keep_leases(own, stop); }};
-  std::vector<JobClass> classes(workers + 1, JobClass::interactive);
-  classes.insert(classes.end(), batches_at_once, JobClass::batch);
-  classes.push_back(JobClass::ingest);
+  std::vector<JobClass> classes;
+  if (lanes.contains(JobClass::interactive)) classes.assign(workers + 1, JobClass::interactive);
+  if (lanes.contains(JobClass::batch)) classes.insert(classes.end(), batches_at_once, JobClass::batch);
+  if (lanes.contains(JobClass::ingest)) classes.push_back(JobClass::ingest);
+  const std::string node = name_of_node();
   for (std::size_t i = 0; i < classes.size(); ++i) {
-    const std::string name = std::to_string(getpid()) + "-" + std::to_string(i + 1);
+    const std::string name = node + "/" + std::to_string(i + 1);
     threads_.emplace_back([this, own = open_store(), name, job_class = classes[i]](
                               const std::stop_token& stop) mutable { work(own, name, job_class, stop); });
   }
@@ -129,7 +144,7 @@ void WorkerPool::work(sql::Connection& db, const std::string& name, JobClass job
   while (!stop.stop_requested()) {
     const auto seen = board_.submissions();
     try {
-      const auto job = JobRepository{db}.claim(name, now(), lease, job_class, most_of_owner);
+      const auto job = JobRepository{db}.claim(name, sql::time_of(db), lease_, job_class, most_of_owner);
       if (job) {
         run(db, *job, name, stop);
         continue;
@@ -158,7 +173,8 @@ void WorkerPool::run(sql::Connection& db, const JobRecord& job, const std::strin
   try {
     result = run_process(
         db, job, place_, workers_, kept_, job_stop.get_token(),
-        [&](std::string_view stage, double share) { board_.report(job.id, stage, share); }, now());
+        [&](std::string_view stage, double share) { board_.report(job.id, stage, share); },
+        sql::time_of(db));
   } catch (const std::bad_alloc&) {
     log::error({"job=", job.id.value, " broke off: no memory"});
     result = tl::unexpected(std::string{no_memory});
@@ -175,14 +191,15 @@ void WorkerPool::run(sql::Connection& db, const JobRecord& job, const std::strin
   const bool stopped = job_stop.stop_requested();
   const bool overdue = board_.is_overdue(job.id);
   const auto write_end = [&](JobRepository& jobs) {
+    const core::UtcTime now = sql::time_of(db);
     if (overdue) {
-      jobs.fail(job.id, worker, overdue_message(job.job_class, limit), now());
+      jobs.fail(job.id, worker, overdue_message(job.job_class, limit), now);
     } else if (stopped || put_off) {
-      jobs.hand_back(worker, now());  // has no effect on a dismissed job
+      jobs.hand_back(worker, now);  // has no effect on a dismissed job
     } else if (result) {
-      jobs.succeed(job.id, worker, result->json, now(), result->message);
+      jobs.succeed(job.id, worker, result->json, now, result->message);
     } else {
-      jobs.fail(job.id, worker, result.error(), now());
+      jobs.fail(job.id, worker, result.error(), now);
     }
   };
   keep_trying(db, job.id, write_end, pool_stop);
@@ -199,18 +216,20 @@ void WorkerPool::run(sql::Connection& db, const JobRecord& job, const std::strin
 }
 
 void WorkerPool::keep_leases(sql::Connection& db, const std::stop_token& stop) {
-  std::map<repository::JobId, core::UtcTime> renewed;
+  using Clock = std::chrono::steady_clock;
+  std::map<repository::JobId, Clock::time_point> renewed;
   while (!stop.stop_requested()) {
-    board_.stop_overdue(std::chrono::steady_clock::now());
+    board_.stop_overdue(Clock::now());
     const auto running = board_.running();
-    std::map<repository::JobId, core::UtcTime> next;
+    std::map<repository::JobId, Clock::time_point> next;
     for (const auto& job : running) {
       const auto last = renewed.find(job.id);
-      const bool due = job.changed || last == renewed.end() || now() - last->second >= renewal_interval;
-      next[job.id] = due ? now() : last->second;
+      const bool due = job.changed || last == renewed.end() || Clock::now() - last->second >= renewal_interval;
+      next[job.id] = due ? Clock::now() : last->second;
       if (!due) continue;
       try {
-        if (!JobRepository{db}.renew(job.id, job.worker, job.stage, job.progress, now(), lease))
+        const core::UtcTime now = sql::time_of(db);
+        if (!JobRepository{db}.renew(job.id, job.worker, job.stage, job.progress, now, lease_))
           board_.stop(job.id);
       } catch (const std::exception& error) {
         log::error({"job=", job.id.value, " the lease could not be renewed: ", error.what()});

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <set>
 #include <string>
 #include <thread>
 #include <vector>
@@ -16,6 +17,11 @@ namespace floeplan::jobs {
 
 /// Opens a connection to the store, for one thread.
 using OpenStore = std::function<sql::Connection()>;
+
+/// The classes of jobs that a pool takes.
+using Lanes = std::set<repository::JobClass>;
+inline const Lanes all_lanes{repository::JobClass::interactive, repository::JobClass::batch,
+                             repository::JobClass::ingest};
 
 /// Threads that take jobs from the queue and run them, at lower priority than the rest of the process; and
 /// one thread that renews leases, checks time limits and stores progress.
@@ -35,7 +41,8 @@ using OpenStore = std::function<sql::Connection()>;
 /// A batch of flights, a window of departures and a plan with ensemble members use as many threads as there
 /// are workers. Caches between jobs hold at most 256 MiB of currents and 128 MiB of leg cost models.
 /// Limits   a job that exceeds its class's time limit is stopped and fails, with a message what to do
-/// Start    jobs that a killed process left running can be taken again at once
+/// Start    jobs that a killed process left running can be taken again: at once where one server alone uses the
+///          store, else when their lease has expired, half a minute after the process was killed
 /// Stop     stop() or the destructor: running work is stopped and returns to the queue
 /// Errors   exceptions of `open_store` leave the constructor; an exception of a job makes it fail, except
 ///          that a plan goes back to the queue if the store fails temporarily (full disk, lock of another
@@ -46,7 +53,7 @@ class WorkerPool {
   static constexpr std::size_t batches_at_once = 6;
 
   WorkerPool(const OpenStore& open_store, JobBoard& board, std::size_t workers,
-             service::IngestPlace place = {}, TimeLimits limits = {});
+             service::IngestPlace place = {}, TimeLimits limits = {}, const Lanes& lanes = all_lanes);
   ~WorkerPool();
   WorkerPool(const WorkerPool&) = delete;
   WorkerPool& operator=(const WorkerPool&) = delete;
@@ -61,6 +68,7 @@ class WorkerPool {
   void keep_leases(sql::Connection& db, const std::stop_token& stop);
 
   JobBoard& board_;  // borrowed
+  core::Seconds lease_{};
   std::size_t workers_;
   service::IngestPlace place_;
   TimeLimits limits_;

@@ -97,6 +97,7 @@ void add_reproduce(CLI::App& app, Program& program);
 void add_demo(CLI::App& app, Program& program);
 void add_simulate(CLI::App& app, Program& program);
 void add_serve(CLI::App& app, Program& program);
+void add_worker(CLI::App& app, Program& program);
 
 // Of stored plans.
 void add_recheck(CLI::App& app, Program& program);
@@ -105,6 +106,7 @@ void add_compare(CLI::App& app, Program& program);
 // For the operator of a server.
 void add_token(CLI::App& app, Program& program);
 void add_audit(CLI::App& app, Program& program);
+void add_store(CLI::App& app, Program& program);
 void add_backup(CLI::App& app, Program& program);
 void add_restore(CLI::App& app, Program& program);
 void add_verify(CLI::App& app, Program& program);

@@ -69,13 +69,19 @@ Result or_store_trouble(const routes::Request& request, const Work& work) {
   }
 }
 
+/// The request as of the clock that all nodes share: what one node writes with a time, another compares with it.
+routes::Request at_time_of_store(const routes::Context& context, routes::Request request) {
+  request.now = sql::time_of(context.db);
+  return request;
+}
+
 }  // namespace
 
-Api make_api(std::function<sql::Connection()> open_store, routes::JobGateway& jobs,
-             routes::ServiceInfo service, routes::Doors doors) {
+Api make_api(std::function<sql::Connection()> open_store, std::vector<routes::Route> routes,
+             routes::JobGateway& jobs, routes::ServiceInfo service, routes::Doors doors) {
   auto clients = std::make_shared<routes::KnownClients>(doors.behind_proxy);
   auto doorkeeper =
-      std::make_shared<routes::Doorkeeper>(std::move(doors), routes::Router{routes::all_routes()});
+      std::make_shared<routes::Doorkeeper>(std::move(doors), routes::Router{std::move(routes)});
   auto pool = std::make_shared<ConnectionPool>(std::move(open_store));
   auto info = std::make_shared<const routes::ServiceInfo>(std::move(service));
   const auto with_context = [pool, info, &jobs](const auto& use) {
@@ -86,7 +92,7 @@ Api make_api(std::function<sql::Connection()> open_store, routes::JobGateway& jo
               [doorkeeper, with_context, clients](const routes::Request& request) {
                 return or_store_trouble<routes::Response>(request, [&] {
                   auto response = with_context(
-                      [&](const routes::Context& context) { return doorkeeper->answer(context, request); });
+                      [&](const routes::Context& context) { return doorkeeper->answer(context, at_time_of_store(context, request)); });
                   clients->learn(request, response.caller);
                   return response;
                 });
@@ -98,7 +104,7 @@ Api make_api(std::function<sql::Connection()> open_store, routes::JobGateway& jo
             return or_store_trouble<std::optional<routes::Response>>(request, [&] {
               return with_context([&](const routes::Context& context) -> std::optional<routes::Response> {
                 if (!is_small && context.remembered->find(request) == nullptr) return std::nullopt;
-                return doorkeeper->answer(context, request);
+                return doorkeeper->answer(context, at_time_of_store(context, request));
               });
             });
           },
@@ -107,7 +113,7 @@ Api make_api(std::function<sql::Connection()> open_store, routes::JobGateway& jo
               [doorkeeper, with_context](const routes::Request& request) {
                 return or_store_trouble<std::optional<routes::Response>>(request, [&] {
                   return with_context(
-                      [&](const routes::Context& context) { return doorkeeper->refuse(context, request); });
+                      [&](const routes::Context& context) { return doorkeeper->refuse(context, at_time_of_store(context, request)); });
                 });
               }};
 }

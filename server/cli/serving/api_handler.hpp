@@ -2,11 +2,13 @@
 
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "api/routes/access/doorkeeper.hpp"
 #include "api/routes/request/context.hpp"
 #include "api/routes/request/job_gateway.hpp"
 #include "api/routes/request/message.hpp"
+#include "api/routes/request/router.hpp"
 #include "storage/sql/connection.hpp"
 
 namespace floeplan::cli {
@@ -23,9 +25,9 @@ struct Api {
   std::function<std::optional<routes::Response>(const routes::Request&)> refuse;
 };
 
-/// Connects the resources with the store and the job system. Each call of a handler uses its own connection.
+/// Connects these resources with the store and the job system. Each call of a handler uses its own connection.
 /// `jobs` is borrowed and must live longer than the handlers.
-[[nodiscard]] Api make_api(std::function<sql::Connection()> open_store, routes::JobGateway& jobs,
-                           routes::ServiceInfo service, routes::Doors doors);
+[[nodiscard]] Api make_api(std::function<sql::Connection()> open_store, std::vector<routes::Route> routes,
+                           routes::JobGateway& jobs, routes::ServiceInfo service, routes::Doors doors);
 
 }  // namespace floeplan::cli

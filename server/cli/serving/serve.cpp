@@ -16,6 +16,7 @@
 #include "server/cli/serving/api_handler.hpp"
 #include "server/cli/serving/store_watch.hpp"
 #include "server/http/server.hpp"
+#include "server/jobs/queue_watch.hpp"
 #include "server/jobs/watched_folder.hpp"
 #include "server/jobs/worker_pool.hpp"
 #include "storage/ingest/process/guarded_ingest.hpp"
@@ -23,8 +24,7 @@
 #include "storage/repository/access/token_repository.hpp"
 #include "storage/repository/store/migrations.hpp"
 #include "storage/repository/store/store_lock.hpp"
-#include "storage/repository/work/upload_repository.hpp"
-#include "storage/sql/right_to_serve.hpp"
+#include "storage/repository/work/upload_folder.hpp"
 #include "storage/sql/store_file.hpp"
 #include "storage/sql/upkeep.hpp"
 
@@ -118,37 +118,12 @@ sql::Connection open_store(const ServeOptions& options) {
                         : repository::open_store(options.store);
 }
 
-/// The right to serve a store, and the watch over the files of one in a folder.
-class ServedStore {
- public:
-  /// Errors   std::runtime_error where another process serves the store
-  explicit ServedStore(const ServeOptions& options) {
-    if (!options.server) {
-      lock_.emplace(options.store);
-      return;
-    }
-    std::filesystem::create_directories(options.store);
-    session_.emplace(open_store(options));
-    if (!sql::take_right_to_serve(*session_))
-      throw std::runtime_error{messages::command_text<"store-served-elsewhere">()};
-  }
-
-  void watch(const std::filesystem::path& store) {
-    if (lock_) watch_.emplace(store);
-  }
-
- private:
-  std::optional<repository::StoreLock> lock_;
-  std::optional<sql::Connection> session_;  // holds the right at the database server
-  std::optional<StoreWatch> watch_;
-};
-
 /// Why the doors may not be opened like this, for a person; nothing when they may.
 std::optional<std::string> fault_of(const ServeOptions& options, const http::ListenAddress& address) {
   for (const std::string& site : options.allow_origins) {
     if (!routes::is_origin(site)) return messages::command_text<"no-origin">(site);
   }
-  if (address.loopback && !options.behind_proxy) return std::nullopt;
+  if (options.only_works || (address.loopback && !options.behind_proxy)) return std::nullopt;
   auto db = open_store(options);
   const std::string others = options.behind_proxy ? "through a proxy" : "on " + address.host;
   if (!repository::TokenRepository{db}.any()) {
@@ -202,7 +177,8 @@ routes::ReaderLayers logged_layers(const ingest::Guard& guard) {
 }
 
 void serve_until_stopped(const ServeOptions& options, const http::ListenAddress& address) {
-  ServedStore served{options};
+  // Of the folder: each node at a database server has its own, for the files on their way.
+  const repository::StoreLock lock{options.store};
   const std::size_t damaged_pages = logged_damage(options);
   log_shut_doors(options);
   const auto open_own = [&options] { return open_store(options); };
@@ -238,7 +214,7 @@ void serve_until_stopped(const ServeOptions& options, const http::ListenAddress&
                        .at_once = [&api](const routes::Request& request) { return api.at_once(request); }}};
   const std::string local = origin(address, server.port(), options.tls_cert.has_value());
   const bool secure = options.behind_proxy || options.tls_cert;
-  api = make_api(open_own, board,
+  api = make_api(open_own, options.only_works ? routes::node_routes() : routes::all_routes(), board,
                  {.public_url = without_slash(options.public_url.value_or(local)),
                   .web = find_web(options),
                   .uploads = uploads,
@@ -254,15 +230,21 @@ void serve_until_stopped(const ServeOptions& options, const http::ListenAddress&
                   .secure = secure,
                   .behind_proxy = options.behind_proxy,
                   .origins = options.allow_origins});
-  repository::UploadRepository{uploads}.remove_expired(now());
+  repository::UploadFolder{uploads}.remove_expired(now());
   ingest::StagingFolder::remove_abandoned(place.guard.staging);
-  jobs::WorkerPool workers{open_own, board, options.workers, place, options.time_limits};
-  served.watch(options.store);
+  std::optional<jobs::QueueWatch> queue;
+  if (options.server) queue.emplace(open_own(), board);
+  std::optional<jobs::WorkerPool> workers;
+  if (options.workers > 0)
+    workers.emplace(open_own, board, options.workers, place, options.time_limits, options.lanes);
+  std::optional<StoreWatch> files;
+  if (!options.server) files.emplace(options.store);
   std::optional<jobs::WatchedFolder> watched;
   if (options.watch) watched.emplace(*options.watch, open_own, place.guard);
-  std::cerr << "floeplan: serving " << local << '\n' << std::flush;
+  std::cerr << "floeplan: " << (options.only_works ? "working, health at " : "serving ") << local << '\n'
+            << std::flush;
   server.run();
-  workers.stop();
+  if (workers) workers->stop();
 }
 
 }  // namespace
@@ -270,8 +252,9 @@ void serve_until_stopped(const ServeOptions& options, const http::ListenAddress&
 int serve(const ServeOptions& options) {
   const auto address = http::parse_listen_address(options.listen);
   if (!address) return complain(wrong_usage, address.error());
-  if (options.workers < 1 || options.workers > 64)
+  if (options.workers > 64 || (options.workers < 1 && (!options.server || options.only_works)))
     return complain<"wrong-number-of-workers">(wrong_usage, options.workers);
+  if (options.only_works && !options.server) return complain<"worker-without-shared-store">(wrong_usage);
   if (options.https_only && !options.tls_cert && !options.behind_proxy)
     return complain<"https-only-without-tls">(wrong_usage);
   log::to_stderr(options.log_level);

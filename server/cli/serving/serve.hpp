@@ -10,16 +10,20 @@
 
 #include "api/routes/request/context.hpp"
 #include "server/jobs/job_class.hpp"
+#include "server/jobs/worker_pool.hpp"
 
 namespace floeplan::cli {
 
-/// Options of `floeplan serve`.
+/// Options of `floeplan serve` and `floeplan worker`.
 struct ServeOptions {
   std::filesystem::path store;  // the data folder, created when missing
   std::optional<std::string>
       server;  // address of the database server that keeps the store; empty: the folder does
   std::string listen{"127.0.0.1:8080"};  // ADDR:PORT; port 0: any free port
-  std::size_t workers{1};                // number of interactive jobs of one owner that run at the same time
+  // number of interactive jobs of one owner that run at the same time; 0: workers elsewhere run all jobs
+  std::size_t workers{1};
+  jobs::Lanes lanes{jobs::all_lanes};  // the jobs that this process runs
+  bool only_works{false};              // `floeplan worker`: answers only health, readiness and metrics
   jobs::TimeLimits time_limits{};
   std::optional<std::filesystem::path> web;  // folder of the built client; default: found beside the program
   std::optional<std::filesystem::path> watch;  // folder in which new files are ingested
@@ -39,7 +43,7 @@ struct ServeOptions {
   bool allow_weak_sandbox{false};  // read files even if their readers cannot be confined
 };
 
-/// Serves until SIGTERM or SIGINT, then stops within ten seconds and returns unfinished jobs to the queue.
+/// Serves, works, or both, until SIGTERM or SIGINT, then stops within ten seconds and returns unfinished jobs to the queue.
 /// SIGHUP reads certificate, limits, quotas and log level again; open connections continue.
 /// Returns  the exit code: 0 stopped on request, 1 could not listen or open the store, 2 wrong options
 [[nodiscard]] int serve(const ServeOptions& options);

@@ -23,11 +23,15 @@ std::string contents(const std::filesystem::path& file) {
 }  // namespace
 
 Outcome Program::run(const std::vector<std::string>& arguments) const {
+  std::vector<std::string> words = store_words(store());
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  return run_alone(std::move(words));
+}
+
+Outcome Program::run_alone(std::vector<std::string> words) const {
   const std::filesystem::path out = folder() / "stdout";
   const std::filesystem::path err = folder() / "stderr";
-  std::vector<std::string> words = store_words(store());
   words.emplace(words.begin(), "floeplan");
-  words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);

@@ -24,6 +24,8 @@ class Program {
   Program() { std::filesystem::create_directory(store()); }
 
   [[nodiscard]] Outcome run(const std::vector<std::string>& arguments) const;
+  /// The program with exactly these words, which name the store if it needs one.
+  [[nodiscard]] Outcome run_alone(std::vector<std::string> words) const;
   [[nodiscard]] std::filesystem::path folder() const { return folder_.path(); }
   [[nodiscard]] std::filesystem::path store() const { return folder_.path() / "store"; }
 

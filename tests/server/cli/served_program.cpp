@@ -20,9 +20,9 @@
 namespace floeplan::support {
 namespace {
 
-/// The port in the line "floeplan: serving http://127.0.0.1:PORT".
+/// The port in the line "floeplan: serving http://127.0.0.1:PORT", or in that of a worker.
 std::uint16_t read_port(int descriptor) {
-  const std::string before_port = "serving http://127.0.0.1:";
+  const std::string before_port = " http://127.0.0.1:";
   std::string text;
   char byte = 0;
   while (read(descriptor, &byte, 1) == 1) {
@@ -36,11 +36,12 @@ std::uint16_t read_port(int descriptor) {
 }
 
 /// Keeps the other end from filling up while the server runs. The log is there when this returns.
-void drain_in_background(int descriptor, const std::filesystem::path& log) {
+/// Returns  the process that reads
+pid_t drain_in_background(int descriptor, const std::filesystem::path& log) {
   const int file = log.empty() ? -1 : open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
-  if (fork() != 0) {
+  if (const pid_t reader = fork(); reader != 0) {
     if (file >= 0) close(file);
-    return;
+    return reader;
   }
   char bytes[4096];
   for (ssize_t count = 0; (count = read(descriptor, bytes, sizeof bytes)) > 0;) {
@@ -54,35 +55,50 @@ void drain_in_background(int descriptor, const std::filesystem::path& log) {
 ServedProgram::ServedProgram(const std::filesystem::path& store, const std::vector<std::string>& flags,
                              const std::vector<std::string>& before, const std::filesystem::path& log) {
   std::vector<std::string> words = store_words(store);
-  words.emplace(words.begin(), "floeplan");
   words.insert(words.end(), before.begin(), before.end());
-  for (const char* word : {"serve", "--listen", "127.0.0.1:0"}) words.emplace_back(word);
+  words.emplace_back("serve");
   words.insert(words.end(), flags.begin(), flags.end());
+  start(std::move(words), log);
+}
+
+ServedProgram::ServedProgram(const Node& node, const std::vector<std::string>& flags,
+                             const std::filesystem::path& log) {
+  std::vector<std::string> words = store_words(node.store);
+  words.at(1) = node.folder.string();  // behind --data
+  words.push_back(node.command);
+  words.insert(words.end(), flags.begin(), flags.end());
+  start(std::move(words), log);
+}
+
+void ServedProgram::start(std::vector<std::string> words, const std::filesystem::path& log) {
+  words.emplace(words.begin(), "floeplan");
+  for (const char* word : {"--listen", "127.0.0.1:0"}) words.emplace_back(word);
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
   int ends[2];
-  if (pipe(ends) != 0) throw std::runtime_error{"no pipe"};
+  if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error{"no pipe"};
   const std::string program = program_folder() + "/floeplan";
   pid_ = fork();
   if (pid_ == 0) {
     dup2(ends[1], STDERR_FILENO);
-    close(ends[0]);
-    close(ends[1]);
     execv(program.c_str(), argv.data());
     _exit(127);
   }
   close(ends[1]);
   port_ = read_port(ends[0]);
-  drain_in_background(ends[0], log);
+  reader_ = drain_in_background(ends[0], log);
   close(ends[0]);
 }
 
-ServedProgram::~ServedProgram() {
-  kill(pid_, SIGTERM);
+ServedProgram::~ServedProgram() { end(SIGTERM); }
+
+void ServedProgram::end(int signal) {
+  if (pid_ == 0) return;
+  kill(pid_, signal);
   waitpid(pid_, nullptr, 0);
-  while (waitpid(-1, nullptr, 0) > 0) {
-  }
+  waitpid(reader_, nullptr, 0);
+  pid_ = 0;
 }
 
 bool ServedProgram::ends_within(std::chrono::milliseconds time) const {

@@ -20,6 +20,13 @@ struct Answer {
   [[nodiscard]] nlohmann::json json() const { return nlohmann::json::parse(body, nullptr, false); }
 };
 
+/// A node of a store that several share, where the tests run beside a database server.
+struct Node {
+  std::filesystem::path store;   // the store of this folder, see `store_words`
+  std::filesystem::path folder;  // the node's own
+  std::string command{"serve"};  // or worker
+};
+
 /// The real program serving a store on a free port of the loopback address, until the end of the test.
 class ServedProgram {
  public:
@@ -28,10 +35,14 @@ class ServedProgram {
   /// `log`     file that takes what it writes on stderr once it serves; empty: nobody wants it
   explicit ServedProgram(const std::filesystem::path& store, const std::vector<std::string>& flags = {},
                          const std::vector<std::string>& before = {}, const std::filesystem::path& log = {});
+  explicit ServedProgram(const Node& node, const std::vector<std::string>& flags = {},
+                         const std::filesystem::path& log = {});
   ~ServedProgram();
   ServedProgram(const ServedProgram&) = delete;
   ServedProgram& operator=(const ServedProgram&) = delete;
 
+  /// Ends the program by this signal, and waits for its end.
+  void end(int signal);
   /// Waits for the program to end by itself, no longer than that.
   [[nodiscard]] bool ends_within(std::chrono::milliseconds time) const;
   /// Sends SIGHUP.
@@ -61,10 +72,12 @@ class ServedProgram {
   }
 
  private:
+  void start(std::vector<std::string> words, const std::filesystem::path& log);
   [[nodiscard]] Answer request(const std::string& method, const std::string& target,
                                const std::string& headers, const std::string& body) const;
 
-  pid_t pid_{};
+  pid_t pid_{};     // 0: it has ended
+  pid_t reader_{};  // of what it writes on stderr
   std::uint16_t port_{};
 };
 

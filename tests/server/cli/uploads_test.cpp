@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <map>
 
@@ -79,6 +80,7 @@ TEST_F(Uploads, KeepTheirBytesUntilTheyAreRemoved) {
 }
 
 TEST_F(Uploads, ThatTheDiskHasChangedAreNotIngested) {
+  if (std::getenv("FLOEPLAN_TEST_SERVER") != nullptr) GTEST_SKIP() << "uploads are files only in a folder";
   const std::string id = send(bed, "bed.asc");
   std::ofstream{over_http_.folder() / "store" / "uploads" / id / "data", std::ios::in | std::ios::out}
       << "NCOLS 9";

@@ -25,7 +25,7 @@ routes::Request upload() {
 
 /// An API on a store that fails whenever it is opened.
 Api api_without_store(Trouble trouble, support::IdleJobs& jobs) {
-  return make_api([trouble]() -> sql::Connection { throw sql::Failure{"the disk is gone", trouble}; }, jobs,
+  return make_api([trouble]() -> sql::Connection { throw sql::Failure{"the disk is gone", trouble}; }, routes::all_routes(), jobs,
                   {}, {});
 }
 
@@ -49,7 +49,7 @@ TEST(ApiHandler, AnswersATroubledStoreAlikeBeforeAndAfterABodyIsTakenIn) {
 
 TEST(ApiHandler, TakesABodyInWhenTheStoreDoesItsPart) {
   support::IdleJobs jobs;
-  const Api api = make_api([] { return repository::open_store_in_memory(); }, jobs, {}, {});
+  const Api api = make_api([] { return repository::open_store_in_memory(); }, routes::all_routes(), jobs, {}, {});
   EXPECT_FALSE(api.refuse(upload()));
 }
 
@@ -80,7 +80,7 @@ class AtOnce : public testing::Test {
   support::TemporaryFolder folder_;
   sql::Connection other_{repository::open_store(folder_.path())};
   support::IdleJobs jobs_;
-  Api api_{make_api([this] { return repository::open_store(folder_.path()); }, jobs_, {}, {})};
+  Api api_{make_api([this] { return repository::open_store(folder_.path()); }, routes::all_routes(), jobs_, {}, {})};
 };
 
 TEST_F(AtOnce, IsAnsweredWhatWasAnsweredBefore) {
