@@ -131,6 +131,7 @@ long_tests() {
   step "damaged files, 1000 of each format" env FLOEPLAN_DAMAGED_FILES=1000 \
     "$root/build/release/ingest_test" --gtest_filter='*HostileF*:Zarr3.WithBytesChanged*'
   step "200 kills" "$root/tests/faults/faults.py" "$root/build/release/floeplan" --kills 200
+  step "200 kills of nodes" "$root/tests/faults/lost_nodes.py" "$root/build/release/floeplan" --jobs 10000 --kills 200 --long
   step "attacks on a server" "$root/tests/attack/attack.py" "$root/build/release/floeplan"
   step "C++ tests, dev" all_of_preset dev
   step "C++ tests, ci" all_of_preset ci

@@ -14,11 +14,14 @@ class Gone(Exception):
 
 
 class Served:
-    """The program serving a store on a free port of the loopback address."""
+    """The program serving a store on a free port of the loopback address.
 
-    def __init__(self, program, store, flags=(), limits=(), user=None):
-        self.process = subprocess.Popen([program, "--data", str(store), "serve", "--listen", "127.0.0.1:0", *flags], text=True,
-                                        errors="replace", stderr=subprocess.PIPE, user=user, preexec_fn=lambda: self._limit(limits))
+    `before` are flags of the program that come before the command, `command` is serve or worker."""
+
+    def __init__(self, program, store, flags=(), limits=(), user=None, before=(), command="serve", environment=None):
+        self.process = subprocess.Popen([program, "--data", str(store), *before, command, "--listen", "127.0.0.1:0", *flags],
+                                        text=True, errors="replace", stderr=subprocess.PIPE, user=user, env=environment,
+                                        preexec_fn=lambda: self._limit(limits))
         self.lines, self.address, self.begun = [], None, threading.Event()
         self.reader = threading.Thread(target=self._read_log, daemon=True)
         self.reader.start()
@@ -34,7 +37,7 @@ class Served:
         """To its end, which is the server's; it has begun when it listens, or will never."""
         for line in self.process.stderr:
             self.lines.append(line)
-            found = re.search(r"serving (http://127\.0\.0\.1:\d+)\n", line)
+            found = re.search(r"(?:serving|health at) (http://127\.0\.0\.1:\d+)\n", line)
             if found and not self.address:
                 self.address = found.group(1)
                 self.begun.set()
