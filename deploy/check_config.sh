@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Has nginx, Caddy and systemd read the files that are meant for them. What is not installed is named and left out.
+# Has nginx, Caddy, systemd and Prometheus read the files that are meant for them. What is not installed is named and left out.
 # usage: deploy/check_config.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
@@ -19,20 +19,24 @@ check_caddy() {
 
 check_systemd() {
   local unit
-  for unit in floeplan.service floeplan-backup.service floeplan-backup.timer; do
+  for unit in floeplan.service floeplan-worker.service floeplan-backup.service floeplan-backup.timer; do
     sed "s#^Exec\(.*\)=[^ ]*#Exec\1=/bin/true#; s#^\(User\|Group\)=.*#\1=root#" "$root/deploy/$unit" >"$work/$unit"
   done
   systemd-analyze verify "$work"/floeplan*.service "$work"/floeplan*.timer
   # In tenths: what the unit leaves open, of 10.
-  systemd-analyze security --offline=true --threshold=16 "$root/deploy/floeplan.service" >"$work/exposure" ||
-    { tail -n 1 "$work/exposure" >&2 && return 1; }
+  for unit in floeplan.service floeplan-worker.service; do
+    systemd-analyze security --offline=true --threshold=16 "$root/deploy/$unit" >"$work/exposure" ||
+      { tail -n 1 "$work/exposure" >&2 && return 1; }
+  done
 }
+
+check_promtool() { promtool check rules "$root/deploy/alerts.yaml" >/dev/null; }
 
 main() {
   work=$(mktemp -d)
   trap 'rm -rf "$work"' EXIT
   local program
-  for program in nginx caddy systemd-analyze; do
+  for program in nginx caddy systemd-analyze promtool; do
     if ! command -v "$program" >/dev/null; then
       say "$program is not installed: its files were not checked"
       continue

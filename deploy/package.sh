@@ -32,7 +32,7 @@ try_package() {
   say "purging it"
   run_or_fail "the package could not be purged" "read the message above" dpkg --purge floeplan
   local left
-  left=$(find /usr/bin/floeplan /usr/share/floeplan /etc/default/floeplan /lib/systemd/system/floeplan.service 2>/dev/null || true)
+  left=$(find /usr/bin/floeplan /usr/share/floeplan /etc/default/floeplan /etc/default/floeplan-worker /lib/systemd/system/floeplan.service 2>/dev/null || true)
   [[ -z $left ]] || fail "the package left files behind" "see: $left"
   say "installed, tried and purged"
 }

@@ -4,6 +4,7 @@
 # --update makes the pictures of the guide (web/guide/pictures) anew where today's page differs from them.
 # Needs web/dist (npm run build) and Chromium (CHROMIUM_BIN, default /usr/bin/chromium). Makes a store with the demonstration
 # data, of which each worker's server has a copy, and removes it afterwards. The exit code is that of the tests.
+# Beside a database server (tests/support/at_database_server tests/browser/run.sh ...) the stores of the servers lie there.
 # PLAYWRIGHT_WORKERS says how many run beside each other (2). With FLOEPLAN_LOAD=1 and the argument "load" it measures a desk
 # with ten days of hourly currents, 300 icebergs and 20 plans, and prints the figures beside their budgets; with the argument
 # "frames" the scripts of a frame while the clock plays, also among 450 icebergs, and the time until the map is usable.

@@ -17,21 +17,38 @@ export interface Server {
   stop: () => Promise<void>;
 }
 
+/** The words that name a store of its own at the database server beside which the journeys run, as a copy of the seed. */
+function storeAtServer(server: string, folder: string, empty: boolean): string[] {
+  const schema = `journey_${String(process.pid)}_${String(++schemas)}`;
+  execFileSync('psql', [server, '--quiet', '--command', `CREATE SCHEMA ${schema}`]);
+  const address = `${server}&options=-csearch_path%3D${schema}`;
+  if (!empty) execFileSync(given('FLOEPLAN_BIN'), ['store', 'copy', `sqlite:${given('FLOEPLAN_SEED')}`, address]);
+  return ['--data', folder, '--store', address];
+}
+let schemas = 0;
+
+/** The words that name a store of its own: a copy of the demonstration data, or nothing. */
+function ownStore(folder: string, empty: boolean): string[] {
+  const server = process.env.FLOEPLAN_TEST_SERVER;
+  if (server) return storeAtServer(server, folder, empty);
+  if (!empty) cpSync(given('FLOEPLAN_SEED'), folder, { recursive: true });
+  return ['--data', folder];
+}
+
 /** Starts a server on a port and a store of its own: a copy of the demonstration data, or nothing. */
 export async function startServer({ empty = false } = {}): Promise<Server> {
   const program = given('FLOEPLAN_BIN');
   const folder = mkdtempSync(join(tmpdir(), 'floeplan-browser-'));
-  const store = join(folder, 'store');
-  if (!empty) cpSync(given('FLOEPLAN_SEED'), store, { recursive: true });
-  const words = ['--data', store, 'serve', '--listen', '127.0.0.1:0', '--web', given('FLOEPLAN_WEB')];
-  const process = spawn(program, words, { stdio: ['ignore', 'ignore', 'pipe'] });
-  const url = await addressOf(process);
+  const store = ownStore(join(folder, 'store'), empty);
+  const words = [...store, 'serve', '--listen', '127.0.0.1:0', '--web', given('FLOEPLAN_WEB')];
+  const server = spawn(program, words, { stdio: ['ignore', 'ignore', 'pipe'] });
+  const url = await addressOf(server);
   return {
     url,
-    run: (...more) => execFileSync(program, ['--data', store, ...more], { encoding: 'utf8' }),
+    run: (...more) => execFileSync(program, [...store, ...more], { encoding: 'utf8' }),
     stop: async () => {
-      const ended = new Promise((resolve) => process.once('exit', resolve));
-      process.kill();
+      const ended = new Promise((resolve) => server.once('exit', resolve));
+      server.kill();
       await ended;
       rmSync(folder, { recursive: true, force: true });
     },
