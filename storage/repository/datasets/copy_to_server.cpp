@@ -6,6 +6,7 @@
 #include <string>
 
 #include "storage/repository/store/dataset_tables.hpp"
+#include "storage/sql/copies/copied_value.hpp"
 #include "storage/sql/references.hpp"
 #include "storage/sql/statement.hpp"
 #include "storage/sql/transaction.hpp"
@@ -14,16 +15,6 @@ namespace floeplan::repository {
 namespace {
 
 using NewNumbers = std::map<std::int64_t, std::int64_t>;  // by the row's number in the store that arrived
-
-void bind_from(sql::Statement& insert, int parameter, const sql::Row& row, int column, sql::ColumnType type) {
-  if (row.is_null(column)) return insert.bind_null(parameter, type);
-  switch (type) {
-    case sql::ColumnType::integer: return insert.bind(parameter, row.integer(column));
-    case sql::ColumnType::real: return insert.bind(parameter, row.real(column));
-    case sql::ColumnType::text: return insert.bind(parameter, row.text(column));
-    case sql::ColumnType::blob: return insert.bind(parameter, row.blob(column));
-  }
-}
 
 /// Copies rows of one table. Where rows have numbers the server gives them new ones.
 class TableCopy {
@@ -67,7 +58,7 @@ class TableCopy {
         } else if (name == "dataset_row") {
           insert_->bind(++parameter, dataset);
         } else {
-          bind_from(*insert_, ++parameter, *rows_, column, columns_[i].type);
+          sql::bind_copy(*insert_, ++parameter, *rows_, column, columns_[i].type);
         }
       }
       if (!gives_numbers_) {
