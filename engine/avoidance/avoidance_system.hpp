@@ -39,7 +39,7 @@ struct DetectedObject {
 
 /// Counts of the system's actions so far.
 struct AvoidanceCounters {
-  std::int64_t evasions{};  // number of departures from the mission's route
+  std::int64_t evasions{};  // how often the vehicle left the mission's route
   std::int64_t paths_planned{};
   std::int64_t paths_failed{};
   std::int64_t most_expansions{};  // largest number in one search

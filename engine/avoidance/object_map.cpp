@@ -9,7 +9,7 @@ namespace floeplan::avoidance {
 namespace {
 
 constexpr std::size_t one_looks_past =
-    4;  // echoes: only every fourth is tested, which is often enough to find cells that do not exist
+    4;  // only every fourth echo is tested for having passed through a cell: enough to find cells with nothing there
 
 constexpr double least_row_height = 0.1;  // for beams without a height of their own: 6 degrees
 

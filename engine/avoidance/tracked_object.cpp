@@ -11,7 +11,7 @@ namespace {
 
 constexpr double neighbourhood_m = 15.0;    // cells within it define the line through the surface
 constexpr double straightness = 3.0;        // least ratio of the cells' variances along and across the line
-constexpr double surface_sigma_m = 2.0;     // roughness of a berg around that line
+constexpr double surface_sigma_m = 2.0;     // roughness of a berg around the line through its surface
 constexpr double independent_echoes = 4.0;  // per ping: errors of adjacent beams are correlated
 constexpr double drift_walk_m2_s3 = 1e-6;   // (0.01 m/s)^2 in 100 s
 constexpr std::uint16_t settled_hits = 6;   // then a cell's place is fixed, and the drift is measured by it

@@ -18,7 +18,8 @@
 
 namespace floeplan::graph {
 
-/// A period in which a place is safe. All times here are seconds on the clock of the query's departure.
+/// A period in which a place is safe. All times in this file are seconds from the
+/// same zero as the departure of the query.
 struct SafeInterval {
   double from_s{};
   double until_s{};

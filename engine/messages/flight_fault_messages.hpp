@@ -65,8 +65,8 @@ inline constexpr auto flight_fault_kinds = std::to_array<Kind>({
              "vehicle out",
      .slots = {{{"vehicle", "slocum-g3-1000"}, {"plan", "p0123456789ab"}, {"planned", "slocum-g3-200"}}}},
     {.code = "sonar-does-not-suit",
-     .text = "does not suit the obstacle avoidance, because its {setting} {rule}; change it, or fly with "
-             "avoidance false",
+     .text = "does not suit the obstacle avoidance: its {setting} {rule}; change it, or fly without obstacle "
+             "avoidance (\"avoidance\": false)",
      .slots = {{{"setting", "range_m"}, {"rule", "must be between 1 m and 1000 m"}}}},
 
     // Logs.

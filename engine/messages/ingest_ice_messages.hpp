@@ -145,8 +145,8 @@ inline constexpr auto ingest_ice_kinds = std::to_array<Kind>({
      .rank = Rank::caution,
      .text = "the concentration \"{variable}\" states no unit, and its values run from {range}, which is "
              "impossible for --unit {given}",
-     .hint = "Give the other unit of --unit share and --unit percent, or ask the producer",
-     .slots = {{{"variable", "siconc"}, {"given", "share"}, {"range", "0 to 98"}}}},
+     .hint = "Give --unit {other} if the values fit that, or ask the producer",
+     .slots = {{{"variable", "siconc"}, {"given", "share"}, {"range", "0 to 98"}, {"other", "percent"}}}},
     {.code = "thickness-unit-unknown",
      .rank = Rank::caution,
      .text = "the thickness \"{variable}\" has the unit \"{unit}\", which is not a known length",

@@ -31,8 +31,8 @@ class Crabbing {
   }
 
   /// Largest change of the current, in any direction, that cannot close the edge; not positive if the edge is
-  /// closed. In the plane of (a, n) the passable currents fill the strip |n| < V to the right of a half
-  /// circle of radius V around (v_min, 0). The result is the distance to the border of this area.
+  /// closed. In the plane of (a, n) the passable currents fill the strip |n| < V to the right of the
+  /// left half of the circle of radius V around (v_min, 0). The result is the distance to the border of this area.
   [[nodiscard]] double room(CurrentOnEdge c) const {
     const double short_of = c.along_m_s - v_min_;
     const double across = std::abs(c.across_m_s);

@@ -83,8 +83,8 @@ class ReachedAreas {
     return sea_.domain().closures().closed_between(open_.grid.point(in), open_.grid.point(out)).has_value();
   }
 
-  /// Distance that the vehicle covers by `level` on the straight line to a vertex that it does not reach
-  /// directly, as a share of the line.
+  /// How far the vehicle comes by the time `level` on the straight line from `in` to `out`, as a share of that
+  /// line. It does not reach `out` by then.
   double share_travelled(Vertex in, Vertex out, core::Seconds level) const {
     const geo::PlanePoint from = open_.grid.point(in);
     const geo::PlanePoint to = open_.grid.point(out);

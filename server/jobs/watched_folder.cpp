@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr std::chrono::milliseconds interval{500};
 constexpr int looks_without_change = 4;  // two seconds; copying programs write more often
-constexpr int looks_of_patience = 600;   // five minutes
+constexpr int looks_of_patience = 600;   // five minutes; then a file is taken although others still change
 constexpr std::chrono::seconds after_failure{30};
 
 /// The properties of a file that change while it is being written.

@@ -70,7 +70,7 @@ class GuessGuard {
 
  private:
   static constexpr std::size_t most_addresses = 10'000;
-  static constexpr std::size_t most_proven = 64;  // largest number for one address
+  static constexpr std::size_t most_proven = 64;  // right credentials remembered for one address
 
   std::mutex mutex_;
   RateLimit wrong_from_{burst, interval};

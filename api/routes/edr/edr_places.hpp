@@ -29,7 +29,7 @@ struct EdrPlaces {
   std::vector<double> x_deg;    // ascending, beyond 180 in a box across the antimeridian
   std::vector<double> y_deg;    // ascending
   std::vector<bool> is_inside;  // [y][x]: whether the place is in the shape
-  bool is_every_node{false};    // whether all nodes of the data in the shape are places
+  bool is_every_node{false};    // true: the places are all nodes of the data in the shape
   std::string sampling;         // the choice of places, in words
 
   [[nodiscard]] std::size_t size() const { return x_deg.size() * y_deg.size(); }

@@ -78,8 +78,8 @@ struct OpenLegLook {
 
 /// The first departure within a span at which the leg is open and ends no earlier than `not_before`. One call
 /// tries only a few departures. If it finds none, call it again from `looked_until` to continue.
-/// Accuracy  as `leg_when_open`. Where a current or ice closes the leg, it may be missed if it is open for
-///           less than a quarter of an hour, or less than a quarter of the data's time step
+/// Accuracy  as `leg_when_open`. Where a current or ice closes the leg, an open period shorter than a quarter of
+///           an hour, or than a quarter of the data's time step, may be missed
 [[nodiscard]] OpenLegLook next_open_leg(const Sea& sea, geo::PlanePoint a, geo::PlanePoint b,
                                         TimeSpan departures, core::Seconds not_before);
 

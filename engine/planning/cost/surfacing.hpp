@@ -14,10 +14,10 @@ namespace floeplan::planning::cost {
 /// grows between fixes.
 /// Fixes    at the planned surfacings if an interval is requested, otherwise wherever the vehicle may surface
 /// Surfacings  at the last place before the interval is over that has no ice within the position error. If
-///             there is none, at the place with the most room, even a little later if the room grows. The
+///             there is none, at the place farthest from ice, even a little later if that distance grows. The
 ///             time at the surface is not counted
-/// Turns    the upper turns of a leg are checked in steps of `surfacing_look()` of the model, as its closures
-///          are
+/// Turns    the depth at which the vehicle must turn below ice is looked up along a leg in steps of
+///          `Overhead::look()`
 /// Error    share of the distance through water + uncertainty of the currents times the time, both since the
 ///          last fix
 /// Precondition  `schedule` belongs to the route, with one of `drives` for each leg

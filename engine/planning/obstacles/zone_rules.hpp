@@ -21,8 +21,8 @@ struct ZoneRules {
   std::vector<ocean::Zone> timed;  // in force for a while; tested along the drive
 };
 
-/// If a stay-in zone is in force only for a while, standing stay-in zones are treated as timed, too: at any
-/// time the vehicle must be in one of all that are in force.
+/// Sorts zones into standing and timed ones. If any stay-in zone is timed, all stay-in zones count as timed: at
+/// each time the vehicle must be in at least one of those that are in force.
 [[nodiscard]] ZoneRules sort_zones(const std::vector<ocean::Zone>& zones, DepthBand band);
 
 }  // namespace floeplan::planning::obstacles

@@ -123,8 +123,8 @@ std::optional<VisitingOrder> exact_order(std::size_t n, double depart_s, const T
   return result;
 }
 
-/// Tours longer than the best by this factor, by usual times, are not timed. The departure changes the length
-/// of a tour by a few percent only. A judgement.
+/// A tour whose usual time exceeds that of the best tour by this factor is not timed exactly, because the
+/// departure changes the time of a tour by a few percent only. The value is a judgement.
 constexpr double worth_timing = 1.05;
 
 /// A tour that is being improved.

@@ -49,7 +49,7 @@ struct Turn {
   bool deep;
 };
 
-/// Rows of one dive, from the first under water to the first at the surface after it.
+/// Rows of one dive: the first under water, the first at the surface after it, and the first with a fix there.
 struct Span {
   std::size_t first;
   std::size_t surfaced;

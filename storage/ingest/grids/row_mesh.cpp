@@ -10,7 +10,7 @@ namespace {
 
 constexpr double longest_side_over_median = 20.0;
 constexpr double most_gap_over_side =
-    2.0;  // columns, or halves of a row, up to this many spacings apart still count as neighbours
+    2.0;  // the first and the last column, or the halves of the top row, count as neighbours up to this many spacings
 
 std::uint32_t index(std::size_t point) { return static_cast<std::uint32_t>(point); }
 

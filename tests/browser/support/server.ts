@@ -22,7 +22,11 @@ function storeAtServer(server: string, folder: string, empty: boolean): string[]
   const schema = `journey_${String(process.pid)}_${String(++schemas)}`;
   execFileSync('psql', [server, '--quiet', '--command', `CREATE SCHEMA ${schema}`]);
   const address = `${server}&options=-csearch_path%3D${schema}`;
-  if (!empty) execFileSync(given('FLOEPLAN_BIN'), ['store', 'copy', `sqlite:${given('FLOEPLAN_SEED')}`, address]);
+  if (!empty) {
+    const seed = `${folder}-seed`; // of its own: a store that is copied is locked
+    cpSync(given('FLOEPLAN_SEED'), seed, { recursive: true });
+    execFileSync(given('FLOEPLAN_BIN'), ['store', 'copy', `sqlite:${seed}`, address]);
+  }
   return ['--data', folder, '--store', address];
 }
 let schemas = 0;

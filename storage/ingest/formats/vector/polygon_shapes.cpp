@@ -36,8 +36,8 @@ void add_way(geo::Ring& ring, geo::LonLat from, geo::LonLat to) {
                     from.lat_deg + (to.lat_deg - from.lat_deg) * i / steps});
 }
 
-/// Whether all corners lie on one meridian, counted as -180 and 180 or as 0 and 360 degrees. Such a ring
-/// encloses an area only if its edges lead around the Earth.
+/// Whether all corners lie on one meridian, and some are given 360 degrees from the first (-180 and 180, or 0
+/// and 360). Such a ring encloses an area only if its edges lead around the Earth.
 bool spans_the_globe(const OGRLineString& line) {
   bool leads_round = false;
   for (int i = 0; i < line.getNumPoints(); ++i) {

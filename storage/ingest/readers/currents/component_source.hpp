@@ -45,8 +45,7 @@ struct PointComponents {
 /// Threads  one thread at a time
 class ComponentSource {
  public:
-  /// Numbers of points with a position of each component, [row][column] counted from the component's first
-  /// point.
+  /// How many rows and columns of points with a position each component has, counted from its first point.
   struct Planes {
     std::size_t first_rows{};
     std::size_t first_columns{};

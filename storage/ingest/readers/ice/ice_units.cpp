@@ -81,7 +81,8 @@ Checked<IceUnit> settled_unit_of_concentration(const NetcdfVariable& variable, I
     const bool fits = stated.possible.contains(found.extent.least) && stated.possible.contains(greatest);
     if (!fits && given)
       return refuse(messages::ingest_ice_message<"concentration-not-in-the-given-unit">(
-          variable.name(), stated.factor == 1.0 ? "share" : "percent", extent_text(found)));
+          variable.name(), stated.factor == 1.0 ? "share" : "percent", extent_text(found),
+          stated.factor == 1.0 ? "percent" : "share"));
     if (!fits)
       return refuse(messages::ingest_ice_message<"concentration-off-scale">(
           variable.name(), variable.attribute("units"), extent_text(found)));

@@ -60,7 +60,7 @@ bool is_state_on_a_plane(const NetcdfVariable& variable) {
          statistic_of(variable) == Statistic::none;
 }
 
-/// Whether the standard name names another quantity; other words then do not count.
+/// Whether the standard name names another quantity. The name and the long name of the variable then do not count.
 bool is_named_otherwise(const NetcdfVariable& variable, const IceQuantity& quantity) {
   const std::string standard_name = standard_name_of(variable);
   if (standard_name.find('_') == std::string::npos || standard_name == quantity.standard_name) return false;
