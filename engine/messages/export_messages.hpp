@@ -195,8 +195,8 @@ inline constexpr auto export_kinds = std::to_array<Kind>({
      .slots = {{{"waypoints", "2 to 4"}}}},
     {.code = "currents-of-legs-not-told",
      .rank = Rank::caution,
-     .text = "An older version stored the plan, without the currents on its legs. Currents may carry the "
-             "vehicle farther than the lists allow for, beside ice or below it",
+     .text = "An older version stored the plan, without the currents on its legs. The goto lists may therefore "
+             "allow too little for the drift, and the vehicle may come beside ice or below it",
      .hint = "Plan again before the flight."},
 
     // Below ice and icebergs.

@@ -183,7 +183,7 @@ inline constexpr auto ingest_current_kinds = std::to_array<Kind>({
              "global model, the grid is bent round poles on land up to latitude {latitude}, so its axes are "
              "not east and north",
      .hint = "Give the model's file of positions (geolon_c and geolat_c, or nav_lon and nav_lat) in the same "
-             "command, or cut out the part south of {limit}",
+             "command, or keep only the part south of latitude {limit}",
      .slots = {{{"first", "u"}, {"second", "v"}, {"latitude", "80"}, {"limit", "65"}}}},
     {.code = "levels-not-of-the-bed",
      .rank = Rank::caution,

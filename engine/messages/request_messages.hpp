@@ -72,7 +72,8 @@ inline constexpr auto request_kinds = std::to_array<Kind>({
      .text = "must be [longitude, latitude] in degrees, with the longitude from -180 to 360 and the latitude "
              "from -90 to 90"},
     {.code = "not-on-the-globe",
-     .text = "must have a longitude from -360 to 360 and a latitude from -90 to 90, not [{lon}, {lat}]",
+     .text = "must have a longitude from -360 to 360 and a latitude from -90 to 90, not [{lon}, {lat}]; longitude "
+             "comes first",
      .slots = {{{"lon", "400"}, {"lat", "72"}}}},
     {.code = "not-an-area",
      .text = "must be a polygon whose rings have at least three places each, as [longitude, latitude]"},

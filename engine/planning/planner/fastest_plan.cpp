@@ -26,10 +26,15 @@ struct Attempt {
   bool wider_may_help{false};
 };
 
+/// Largest possible gain that is told, as a share of the travel time. A looser bound would only frighten: it follows from
+/// what the search had not looked at, not from a better route. The value is a judgement.
+constexpr double most_telling_gain = 0.1;
+
 /// The message for a plan whose search was cut short.
 messages::Message what_may_be_better(const Plan& plan) {
   const auto gain = plan.search.possible_gain;
-  if (!gain) return messages::plan_message<"search-cut-short">();
+  if (!gain || *gain > most_telling_gain * plan.travel_time())
+    return messages::plan_message<"search-cut-short">();
   return messages::plan_message<"search-cut-short-near-the-best">(std::ceil(gain->count() / 60.0),
                                                                   100.0 * (*gain / plan.travel_time()));
 }

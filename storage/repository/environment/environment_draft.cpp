@@ -45,6 +45,7 @@ std::string coverage_text(const Dataset& dataset, const Period& period) {
 }
 
 std::string period_text(const Period& period) {
+  if (period.from == period.to) return core::iso8601(period.from);
   return core::iso8601(period.from) + " to " + core::iso8601(period.to);
 }
 
