@@ -123,7 +123,7 @@ inline constexpr auto store_kinds = std::to_array<Kind>({
     {.code = "store-needs-its-owner",
      .text = "the store at the database server has schema {schema}, this program needs {known}, and this role may "
              "not change tables",
-     .hint = "run `floeplan store prepare --for ROLE` once as the role that owns the tables",
+     .hint = "have the role that owns the tables run `floeplan store prepare`",
      .slots = {{{"schema", 17}, {"known", 18}}}},
     {.code = "copy-into-used-store",
      .text = "the store to copy into is not empty: there are rows in the table {table}",

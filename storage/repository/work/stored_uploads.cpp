@@ -52,13 +52,7 @@ std::uint64_t insert_blocks(sql::Connection& db, const std::string& id, const fs
 
 Upload StoredUploads::add(const fs::path& file, const std::string& name, const std::string& sha256,
                           const std::string& owner, core::UtcTime now) {
-  Upload upload{.id = random_upload_id(),
-                .name = plain_file_name(name),
-                .bytes = fs::file_size(file),
-                .sha256 = sha256,
-                .owner = owner,
-                .created = now,
-                .expires = now + lifetime};
+  const Upload upload = new_upload(file, name, sha256, owner, now);
   sql::Transaction transaction{db_, sql::WriteTurn::beside_others};
   sql::Statement insert{db_,
                         "INSERT INTO upload (" + columns + ") VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7)"};

@@ -50,13 +50,7 @@ std::optional<Upload> parse_upload(const std::string& id, const json& document) 
 
 Upload UploadFolder::add(const fs::path& file, const std::string& name, const std::string& sha256,
                              const std::string& owner, core::UtcTime now) {
-  const Upload upload{.id = random_upload_id(),
-                      .name = plain_file_name(name),
-                      .bytes = fs::file_size(file),
-                      .sha256 = sha256,
-                      .owner = owner,
-                      .created = now,
-                      .expires = now + lifetime};
+  const Upload upload = new_upload(file, name, sha256, owner, now);
   const fs::path unfinished = folder_ / (upload.id + ".new");
   fs::create_directories(unfinished);
   fs::rename(file, unfinished / "data");

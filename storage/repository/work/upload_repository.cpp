@@ -10,9 +10,7 @@ namespace {
 constexpr std::size_t upload_id_length = 32;
 constexpr std::string_view hexadecimal = "0123456789abcdef";
 
-}  // namespace
-
-std::string random_upload_id() {
+std::string random_id() {
   std::random_device source;
   std::string text;
   while (text.size() < upload_id_length) {
@@ -20,6 +18,19 @@ std::string random_upload_id() {
     for (unsigned shift = 0; shift < 32; shift += 4) text += hexadecimal[(bits >> shift) & 15U];
   }
   return text;
+}
+
+}  // namespace
+
+Upload new_upload(const std::filesystem::path& file, const std::string& name, const std::string& sha256,
+                  const std::string& owner, core::UtcTime now) {
+  return {.id = random_id(),
+          .name = plain_file_name(name),
+          .bytes = std::filesystem::file_size(file),
+          .sha256 = sha256,
+          .owner = owner,
+          .created = now,
+          .expires = now + UploadRepository::lifetime};
 }
 
 bool is_upload_id(const std::string& text) {

@@ -26,8 +26,9 @@ struct Upload {
 /// the beginning, at most 100 characters with the ending kept; "upload" if nothing is left.
 [[nodiscard]] std::string plain_file_name(const std::string& name);
 
-/// A new random id of an upload, so that nobody can guess that of another user's.
-[[nodiscard]] std::string random_upload_id();
+/// The description of a file that arrives, with a random id, so that nobody can guess that of another user's upload.
+[[nodiscard]] Upload new_upload(const std::filesystem::path& file, const std::string& name,
+                                const std::string& sha256, const std::string& owner, core::UtcTime now);
 /// Whether a text is an id. Only ids become part of a path.
 [[nodiscard]] bool is_upload_id(const std::string& text);
 
