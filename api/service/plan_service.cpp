@@ -9,7 +9,7 @@
 #include "api/codec/documents/alternative_document.hpp"
 #include "api/codec/documents/departure_document.hpp"
 #include "api/codec/documents/plan_document.hpp"
-#include "api/service/swapped_places.hpp"
+#include "api/service/coverage_checks.hpp"
 #include "api/service/threads.hpp"
 #include "engine/core/utc_text.hpp"
 #include "engine/messages/fault.hpp"

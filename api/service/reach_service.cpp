@@ -5,7 +5,7 @@
 
 #include "api/codec/documents/plan_document.hpp"
 #include "api/codec/documents/reach_document.hpp"
-#include "api/service/swapped_places.hpp"
+#include "api/service/coverage_checks.hpp"
 #include "engine/messages/plan_messages.hpp"
 #include "engine/planning/find_isochrones.hpp"
 #include "storage/json/json.hpp"

@@ -1,4 +1,4 @@
-#include "api/service/swapped_places.hpp"
+#include "api/service/coverage_checks.hpp"
 
 #include <algorithm>
 #include <cmath>

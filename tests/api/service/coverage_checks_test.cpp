@@ -1,4 +1,4 @@
-#include "api/service/swapped_places.hpp"
+#include "api/service/coverage_checks.hpp"
 
 #include <gmock/gmock.h>
 
@@ -6,7 +6,7 @@
 #include "storage/repository/store/migrations.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace floeplan::service::swapped_places_test {
+namespace floeplan::service::coverage_checks_test {
 namespace {
 
 using testing::HasSubstr;
@@ -17,9 +17,9 @@ constexpr geo::LonLat in_the_bay{-53.2, 69.2};
 constexpr geo::LonLat exchanged{69.2, -53.2};
 
 /// A store that holds currents of Disko Bay.
-class SwappedPlaces : public testing::Test {
+class CoverageChecks : public testing::Test {
  protected:
-  SwappedPlaces() {
+  CoverageChecks() {
     add("currents-12345678", repository::DatasetKind::currents, "1234");
   }
 
@@ -38,7 +38,7 @@ class SwappedPlaces : public testing::Test {
   repository::EnvironmentQuery query_;
 };
 
-TEST_F(SwappedPlaces, AreNamedWithTheExchangedCoordinates) {
+TEST_F(CoverageChecks, NameSwappedPlacesWithTheExchangedCoordinates) {
   const auto found =
       swapped_places(db_, {{"from", exchanged}, {"to", in_the_bay}, {"via/0", exchanged}}, query_);
 
@@ -49,11 +49,11 @@ TEST_F(SwappedPlaces, AreNamedWithTheExchangedCoordinates) {
   EXPECT_THAT(found[1].rule, HasSubstr("did you mean --via=-53.2,69.2?"));
 }
 
-TEST_F(SwappedPlaces, AreNotThoseThatNoDataCoverEitherWay) {
+TEST_F(CoverageChecks, NameNoPlacesThatNoDataCoverEitherWay) {
   EXPECT_THAT(swapped_places(db_, {{"from", {10.0, 20.0}}}, query_), IsEmpty());
 }
 
-TEST_F(SwappedPlaces, AreRefusedBeyondAllDepthsUnlessNoDepthsAreStoredOrWanted) {
+TEST_F(CoverageChecks, RefuseAnAreaBeyondAllDepthsUnlessNoneAreStoredOrWanted) {
   query_.area = {10.0, 60.0, 12.0, 61.0};
   EXPECT_THAT(depths_elsewhere(db_, query_), IsEmpty()) << "no bathymetry is stored";
 
@@ -70,7 +70,7 @@ TEST_F(SwappedPlaces, AreRefusedBeyondAllDepthsUnlessNoDepthsAreStoredOrWanted) 
   EXPECT_THAT(depths_elsewhere(db_, query_), IsEmpty()) << "the planner judges the places themselves";
 }
 
-TEST_F(SwappedPlaces, AreNotLookedForWhereNoDataAreWanted) {
+TEST_F(CoverageChecks, LookForNoSwappedPlacesWhereNoDataAreWanted) {
   query_.currents.how = repository::DatasetChoice::How::none;
   query_.bathymetry.how = repository::DatasetChoice::How::none;
 
@@ -78,4 +78,4 @@ TEST_F(SwappedPlaces, AreNotLookedForWhereNoDataAreWanted) {
 }
 
 }  // namespace
-}  // namespace floeplan::service::swapped_places_test
+}  // namespace floeplan::service::coverage_checks_test
