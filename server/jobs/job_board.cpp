@@ -200,9 +200,13 @@ void JobBoard::announce(const JobId& id) {
 }
 
 void JobBoard::take_note(const JobId& id, const std::string& status) {
-  if (status == repository::status_name(repository::JobStatus::accepted)) wake_workers();
+  using repository::JobStatus;
+  if (status == repository::status_name(JobStatus::accepted)) wake_workers();
   const std::lock_guard lock{mutex_};
-  if (const auto found = running_.find(id); found != running_.end()) found->second.job.changed = true;
+  // A job that runs here and is still running has only told its progress, which this process has stored itself.
+  const auto found = running_.find(id);
+  if (found != running_.end() && status != repository::status_name(JobStatus::running))
+    found->second.job.changed = true;
   wake(id);
   wake({});
 }

@@ -40,6 +40,7 @@ class Nodes:
         """`environments` of the nodes that have one of their own, by their names."""
         self.program, self.folder, self.store = program, folder, store
         self.environments = environments or {}
+        self.changed = threading.Condition()  # somebody who was gone may be back
         self.places = [("serve", "server1"), ("serve", "server2"), ("worker", "worker1"), ("worker", "worker2"), ("worker", "worker3")]
         self.nodes = {name: self._begin(command, name) for command, name in self.places}
 
@@ -55,6 +56,15 @@ class Nodes:
         """Kills a node and starts it again."""
         self.nodes[name].end(signal.SIGKILL)
         self.nodes[name] = self._begin(command, name)
+        self.tell_of_change()
+
+    def tell_of_change(self):
+        with self.changed:
+            self.changed.notify_all()
+
+    def wait_for_change(self, most_s):
+        with self.changed:
+            self.changed.wait(most_s)
 
     def end(self):
         for name, node in self.nodes.items():
@@ -69,12 +79,15 @@ class Client(threading.Thread):
         super().__init__(daemon=True)
         self.nodes, self.generator, self.wanted, self.number = nodes, generator, wanted, number
         self.promised = {}  # job: what it must answer
+        self.has_a_third = threading.Event()  # of what it wants
         self.longest_silence_s, self.answered_at = 0.0, time.monotonic()
 
     def run(self):
         for count in range(self.wanted):
             text = f"client {self.number}, job {count}"
             self.promised[self._submit(text, f"key-{self.number}-{count}")] = text
+            if count >= self.wanted // 3:
+                self.has_a_third.set()
 
     def _submit(self, text, key):
         while True:
@@ -89,25 +102,26 @@ class Client(threading.Thread):
                     return answer["jobID"]
                 expect(status == 503, f"a job was answered by {status}: {answer}")
                 if answer["type"] == "/problems/queue-full":
+                    server.ask("GET", f"/jobs/{next(reversed(self.promised))}", headers={"Prefer": "wait=1"})
                     self.answered_at = time.monotonic()
+                    continue
             except (Gone, KeyError):
                 pass
-            time.sleep(0.05)
+            self.nodes.wait_for_change(0.5)
 
 
 def have_ended(nodes, most_s):
     """Waits until no job is left to do. Time: leases of killed workers must expire first."""
     deadline = time.monotonic() + most_s
     while time.monotonic() < deadline:
-        try:
-            metrics = nodes.servers()[0].ask("GET", "/metrics")[1].decode()
-            left = [line for line in metrics.splitlines()
-                    if line.startswith(('floeplan_jobs{state="accepted"}', 'floeplan_jobs{state="running"}'))]
-            if left and all(line.endswith(" 0") for line in left):
-                return True
-        except (Gone, AttributeError):
-            pass
-        time.sleep(0.2)
+        answers = [nodes.servers()[0].ask("GET", f"/jobs?status={state}") for state in ("accepted", "running")]
+        if any(status != 200 for status, _ in answers):
+            nodes.wait_for_change(0.5)
+            continue
+        left = [job for _, answer in answers for job in answer["jobs"]]
+        if not left:
+            return True
+        nodes.servers()[0].ask("GET", "/jobs/" + left[0]["jobID"], headers={"Prefer": "wait=20"})
     return False
 
 
@@ -138,7 +152,7 @@ def killed_nodes(program, folder, jobs, kills, generator):
     for client in clients:
         client.start()
     for _ in range(kills):
-        time.sleep(generator.uniform(0.0, 0.4))
+        clients[0].join(generator.uniform(0.0, 0.4))  # it works on: the moment of the kill is random
         nodes.kill(*generator.choice(nodes.places))
     for client in clients:
         client.join()
@@ -162,8 +176,8 @@ def lost_primary(program, folder, jobs, generator):
     clients = [Client(nodes, random.Random(generator.random()), jobs // 2, number) for number in range(2)]
     for client in clients:
         client.start()
-    while sum(len(client.promised) for client in clients) < jobs // 3:
-        time.sleep(0.02)
+    for client in clients:
+        client.has_a_third.wait()
     for client in clients:
         client.longest_silence_s = 0.0
     primary.kill()
@@ -171,6 +185,7 @@ def lost_primary(program, folder, jobs, generator):
     # The one that is left now has nobody to wait for.
     standby.query("ALTER SYSTEM SET synchronous_standby_names = ''")
     standby.query("SELECT pg_reload_conf()")
+    nodes.tell_of_change()
     for client in clients:
         client.join()
     expect(have_ended(nodes, 300), "jobs did not end after the promotion")
@@ -281,29 +296,28 @@ def cut_off(program, folder):
     line = Line(database)
     flags, quiet = ["--workers", "2"], ["--log-level", "error"]
     server = Served(program, folder / "server", ["--workers", "0"], before=["--store", database.address, *quiet])
-    lonely = Served(program, folder / "lonely", flags, before=["--store", line.address, *quiet], command="worker")
+    lonely = Served(program, folder / "lonely", flags, before=["--store", line.address], command="worker")
 
     def submit(pause_s):
         return server.ask("POST", "/processes/echo/execution", {"inputs": {"text": "ice", "pause": pause_s}},
                           {"Prefer": "respond-async"})[1]["jobID"]
 
-    def reaches(job, status, most_s):
+    def succeeds(job, most_s):
         deadline = time.monotonic() + most_s
-        while time.monotonic() < deadline:
-            if server.ask("GET", "/jobs/" + job)[1]["status"] == status:
-                return True
-            time.sleep(0.1)
-        return False
+        status = "accepted"
+        while status in ("accepted", "running") and time.monotonic() < deadline:
+            status = server.ask("GET", "/jobs/" + job, headers={"Prefer": "wait=20"})[1]["status"]
+        return status == "successful"
 
     first = submit(10)
-    expect(reaches(first, "running", 20), "the worker took no job")
+    expect(lonely.says(f"job={first} process=echo attempt=1 begins", 20), "the worker took no job")
     line.cut()
     other = Served(program, folder / "other", flags, before=["--store", database.address, *quiet], command="worker")
-    expect(reaches(first, "successful", 90), "nobody did the job of a worker that was cut off")
+    expect(succeeds(first, 90), "nobody did the job of a worker that was cut off")
     expect(lonely.ask("GET", "/readyz")[0] == 503, "a worker that cannot reach the database says that it is ready")
     expect(other.end() == 0, "a worker did not end well")
     line.mend()
-    expect(reaches(submit(0), "successful", 60), "the worker that was cut off does not work again")
+    expect(succeeds(submit(0), 60), "the worker that was cut off does not work again")
     expect(lonely.ask("GET", "/readyz")[0] == 200, "a worker that reaches the database again is not ready")
     rows = database.query(f"SELECT status, attempts FROM job WHERE id = '{first}'")
     expect(rows == [["successful", "2"]], f"the job of a worker that was cut off is {rows}")
@@ -329,9 +343,7 @@ def restored(program, folder, generator):
     before = submit(50)
     copy = Database(folder / "copy", copy_of=database, starts=False)
     before += submit(50)
-    time.sleep(0.1)
     moment = database.query("SELECT clock_timestamp()")[0][0]
-    time.sleep(0.1)
     after = submit(50)
     database.query("SELECT pg_switch_wal()")
     server.end()
@@ -339,7 +351,7 @@ def restored(program, folder, generator):
     (copy.data / "standby.signal").unlink()
     (copy.data / "recovery.signal").touch()
     copy.start(["archive_mode=off", f"restore_command=cp {archive}/%f %p", f"recovery_target_time={moment}",
-                "recovery_target_action=promote"])
+                "recovery_target_action=promote"], ready="ready to accept connections")
     server = Served(program, folder / "node", before=["--store", copy.address, "--log-level", "error"])
     there = {row[0] for row in copy.query("SELECT id FROM job")}
     expect(there == set(before), f"{len(set(before) - there)} jobs of before and {len(there & set(after))} of after are there")

@@ -6,7 +6,7 @@ import re
 import shutil
 import signal
 import subprocess
-import time
+import threading
 
 
 def programs():
@@ -36,18 +36,22 @@ class Database:
         if starts:
             self.start(settings)
 
-    def start(self, settings=()):
+    def start(self, settings=(), ready="ready to accept"):
+        """Returns when the server has logged `ready`: that it accepts connections, by default also such that only read."""
         words = [programs() / "postgres", "-D", self.data, "-c", "listen_addresses=", "-c",
                  f"unix_socket_directories={self.folder}", "-c", "max_connections=200"]
         for setting in settings:
             words += ["-c", setting]
-        with open(self.folder / "log", "ab") as log:
-            self.process = subprocess.Popen(words, cwd=self.folder, stdout=log, stderr=log, **self._as_user())
-        deadline = time.monotonic() + 60
-        while subprocess.run([programs() / "pg_isready", "--quiet", "--host", self.folder], check=False).returncode != 0:
-            if time.monotonic() > deadline or self.process.poll() is not None:
-                raise RuntimeError((self.folder / "log").read_text(errors="replace"))
-            time.sleep(0.05)
+        self.process = subprocess.Popen(words, cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
+                                        errors="replace", **self._as_user())
+        log = []
+        for line in self.process.stderr:
+            log.append(line)
+            if ready in line:
+                break
+        else:
+            raise RuntimeError("".join(log))
+        threading.Thread(target=self.process.stderr.read, daemon=True).start()  # so that the pipe never fills up
 
     @property
     def address(self):

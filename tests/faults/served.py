@@ -22,7 +22,7 @@ class Served:
         self.process = subprocess.Popen([program, "--data", str(store), *before, command, "--listen", "127.0.0.1:0", *flags],
                                         text=True, errors="replace", stderr=subprocess.PIPE, user=user, env=environment,
                                         preexec_fn=lambda: self._limit(limits))
-        self.lines, self.address, self.begun = [], None, threading.Event()
+        self.lines, self.address, self.begun, self.logged = [], None, threading.Event(), threading.Condition()
         self.reader = threading.Thread(target=self._read_log, daemon=True)
         self.reader.start()
         if not self.begun.wait(30):
@@ -36,12 +36,19 @@ class Served:
     def _read_log(self):
         """To its end, which is the server's; it has begun when it listens, or will never."""
         for line in self.process.stderr:
-            self.lines.append(line)
+            with self.logged:
+                self.lines.append(line)
+                self.logged.notify_all()
             found = re.search(r"(?:serving|health at) (http://127\.0\.0\.1:\d+)\n", line)
             if found and not self.address:
                 self.address = found.group(1)
                 self.begun.set()
         self.begun.set()
+
+    def says(self, words, most_s):
+        """Waits until it has logged these words. False: it has not in that time."""
+        with self.logged:
+            return self.logged.wait_for(lambda: any(words in line for line in self.lines), most_s)
 
     def said(self):
         """All that it has logged; once it has ended, to the last line."""
