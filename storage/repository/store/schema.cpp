@@ -18,24 +18,32 @@ void refuse_broken_references(sql::Connection& db) {
   if (sql::has_broken_references(db)) throw std::runtime_error{messages::store_text<"references-broken">()};
 }
 
+/// Whether a store at a server has the newest schema, or a newer one that this program may work on.
+/// Errors  std::runtime_error for a newer one on which it may not
+bool is_up_to_date(sql::Connection& db) {
+  constexpr auto engine = sql::Engine::server;
+  const std::int64_t schema = sql::schema_number(db);
+  if (schema > newest_schema(engine) && sql::schema_usable_from(db) > newest_schema(engine))
+    refuse_newer_schema(schema, engine);
+  return schema >= newest_schema(engine);
+}
+
 /// Runs the scripts that a store at a server lacks. Nodes that start at the same time wait for the first of them.
 void set_up_at_server(sql::Connection& db) {
-  constexpr auto engine = sql::Engine::server;
-  const std::int64_t before = sql::schema_number(db);
-  refuse_newer_schema(before, engine);
-  if (before == newest_schema(engine)) return;
+  if (is_up_to_date(db)) return;
   sql::Transaction transaction{db};
+  if (is_up_to_date(db)) return;
   const std::int64_t found = sql::schema_number(db);
-  refuse_newer_schema(found, engine);
   const std::int64_t done = found == 0 ? 0 : found - first_server_schema + 1;
   try {
     for (const char* script : server_scripts().subspan(static_cast<std::size_t>(done)))
       sql::execute(db, script);
   } catch (const sql::Failure& failure) {
     if (failure.trouble() != sql::Trouble::not_writable) throw;
-    throw std::runtime_error{messages::store_text<"store-needs-its-owner">(found, newest_schema(engine))};
+    throw std::runtime_error{
+        messages::store_text<"store-needs-its-owner">(found, newest_schema(sql::Engine::server))};
   }
-  sql::set_schema_number(db, newest_schema(engine));
+  sql::set_schema_number(db, newest_schema(sql::Engine::server), server_schema_usable_from);
   transaction.commit();
 }
 
@@ -67,7 +75,7 @@ void bring_to_newest_schema(sql::Connection& db) {
     sql::execute(db, schema_scripts()[schema]);
   }
   refuse_broken_references(db);
-  sql::set_schema_number(db, newest_schema());
+  sql::set_schema_number(db, newest_schema(), newest_schema());
   transaction.commit();
 }
 

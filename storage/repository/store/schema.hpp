@@ -20,6 +20,11 @@ namespace floeplan::repository {
 
 inline constexpr std::int64_t first_server_schema = 17;
 
+/// Programs that know this schema may work on a server's store of the newest schema: whatever scripts came after it
+/// only added what such programs need not know. A script that changes what is there raises it. So nodes of two
+/// neighbouring versions work together while a new version is rolled out.
+inline constexpr std::int64_t server_schema_usable_from = 19;
+
 /// The schema that this program writes. Stores with older schemas are converted to it, newer ones are refused.
 [[nodiscard]] std::int64_t newest_schema(sql::Engine engine = sql::Engine::embedded);
 
@@ -29,8 +34,9 @@ inline constexpr std::int64_t first_schema_with_checksums = 12;
 /// Errors  std::runtime_error for a schema that this program does not know yet
 void refuse_newer_schema(std::int64_t schema, sql::Engine engine = sql::Engine::embedded);
 
-/// Migrates a database from any older schema, or an empty one, to the newest schema in one transaction.
-/// Errors  std::runtime_error for a newer schema, and when rows refer to rows that do not exist
+/// Migrates a database from any older schema, or an empty one, to the newest schema in one transaction. A newer schema
+/// of a server's store that this program may work on stays as it is.
+/// Errors  std::runtime_error for another newer schema, and when rows refer to rows that do not exist
 void bring_to_newest_schema(sql::Connection& db);
 
 }  // namespace floeplan::repository

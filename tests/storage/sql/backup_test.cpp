@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 class Backup : public testing::Test {
  protected:
   Backup() {
-    set_schema_number(db_, 1);
+    set_schema_number(db_, 1, 1);
     execute(db_, "CREATE TABLE number (value INTEGER NOT NULL) STRICT");
     add(1);
   }

@@ -21,7 +21,7 @@ class TransactionTest : public testing::Test {
  protected:
   TransactionTest() {
     execute(db_, "CREATE TABLE t (a INTEGER) STRICT");
-    set_schema_number(db_, 1);
+    set_schema_number(db_, 1, 1);
   }
 
   support::TemporaryFolder folder_;

@@ -127,7 +127,7 @@ TEST(VersionBetweenProcessesTest, ChangesWithWhatTheOtherCommits) {
   ASSERT_GE(child, 0);
   if (child == 0) _exit(update_when_told(go[0], folder.path()));
   Connection db = Connection::open(folder.path());
-  set_schema_number(db, 1);
+  set_schema_number(db, 1, 1);
   execute(db, "CREATE TABLE t (a INTEGER) STRICT; INSERT INTO t VALUES (1)");
   const Version before = version_of(db);
   ASSERT_EQ(write(go[1], "!", 1), 1);

@@ -279,8 +279,9 @@ TEST_F(ServerTest, KnowsItsTablesAndTheSchemasNumber) {
   for (const Column& column : columns_of(*one_, "t")) names.push_back(column.name);
   EXPECT_THAT(names, testing::ElementsAre("row", "a", "b", "c", "d"));
   EXPECT_EQ(schema_number(*one_), 0);
-  set_schema_number(*one_, 17);
+  set_schema_number(*one_, 17, 16);
   EXPECT_EQ(schema_number(*other_), 17);
+  EXPECT_EQ(schema_usable_from(*other_), 16);
 }
 
 TEST_F(ServerTest, LeavesBackupsToTheServersOwnTools) {
