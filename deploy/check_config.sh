@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Has nginx, Caddy, systemd and Prometheus read the files that are meant for them. What is not installed is named and left out.
+# Has nginx, Caddy, systemd, Prometheus and Kubernetes read the files that are meant for them. What is not installed is named and left out.
 # usage: deploy/check_config.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
@@ -30,13 +30,16 @@ check_systemd() {
   done
 }
 
+# Without a cluster: that every object of the manifest is one that Kubernetes knows.
+check_kubectl() { kubectl label --local -f "$root/deploy/kubernetes.yaml" checked=yes -o name >/dev/null; }
+
 check_promtool() { promtool check rules "$root/deploy/alerts.yaml" >/dev/null; }
 
 main() {
   work=$(mktemp -d)
   trap 'rm -rf "$work"' EXIT
   local program
-  for program in nginx caddy systemd-analyze promtool; do
+  for program in nginx caddy systemd-analyze promtool kubectl; do
     if ! command -v "$program" >/dev/null; then
       say "$program is not installed: its files were not checked"
       continue

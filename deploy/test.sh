@@ -120,7 +120,7 @@ lint() {
   step "clang-format" xargs -0 clang-format-19 --dry-run -Werror < <(sources -print0)
   step "shellcheck" shellcheck -x -P "$root/deploy" "$root"/deploy/*.sh "$root/deploy/install-deps" \
     "$root"/api/examples/*.sh "$root"/tests/*/*.sh
-  step "files for nginx, Caddy and systemd" "$root/deploy/check_config.sh"
+  step "files of a deployment" "$root/deploy/check_config.sh"
   step "eslint" npm --prefix "$root/web" run --silent lint
   step "clang-tidy" run-clang-tidy-19 -quiet -p "$root/build/dev" -j "$(build_jobs)" "${tidy_flags[@]}" \
     "^$root/(engine|storage|api|server)/"
