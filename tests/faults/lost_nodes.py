@@ -3,8 +3,8 @@
 
 usage: lost_nodes.py PROGRAM [--jobs N] [--kills K] [--seed S] [--long]
 
-Two servers that only answer, three workers, two clients. `--long` also cuts a node off from the database, and restores the
-database to a moment of the past. Prints a line for each fault; ends with 1 if a job was lost or doubled, or has a wrong
+Two servers that only answer, three workers, two clients. `--long` also cuts a node off from the database, slows the database
+down, fills its disk, and restores it to a moment of the past. Prints a line for each fault; ends with 1 if a job was lost or doubled, or has a wrong
 result; with 77 where PostgreSQL is not installed.
 """
 import argparse
@@ -75,16 +75,18 @@ class Client(threading.Thread):
     """Submits jobs to any server until it has as many promises as it wants. One that is not answered asks again with its
     key, maybe at the other server: so a promise that did not arrive makes no second job."""
 
-    def __init__(self, nodes, generator, wanted, number):
+    def __init__(self, nodes, generator, wanted, number, text_of=0):
+        """`text_of`: the length of the jobs' texts, at least."""
         super().__init__(daemon=True)
-        self.nodes, self.generator, self.wanted, self.number = nodes, generator, wanted, number
+        self.nodes, self.generator, self.wanted, self.number, self.text_of = nodes, generator, wanted, number, text_of
+        self.refused = None  # an event: a server could not keep a job
         self.promised = {}  # job: what it must answer
         self.has_a_third = threading.Event()  # of what it wants
         self.longest_silence_s, self.answered_at = 0.0, time.monotonic()
 
     def run(self):
         for count in range(self.wanted):
-            text = f"client {self.number}, job {count}"
+            text = f"client {self.number}, job {count}".ljust(self.text_of, ".")
             self.promised[self._submit(text, f"key-{self.number}-{count}")] = text
             if count >= self.wanted // 3:
                 self.has_a_third.set()
@@ -100,11 +102,13 @@ class Client(threading.Thread):
                     self.longest_silence_s = max(self.longest_silence_s, now - self.answered_at)
                     self.answered_at = now
                     return answer["jobID"]
-                expect(status == 503, f"a job was answered by {status}: {answer}")
+                expect(status in (503, 507), f"a job was answered by {status}: {answer}")
                 if answer["type"] == "/problems/queue-full":
                     server.ask("GET", f"/jobs/{next(reversed(self.promised))}", headers={"Prefer": "wait=1"})
                     self.answered_at = time.monotonic()
                     continue
+                if self.refused:
+                    self.refused.set()
             except (Gone, KeyError):
                 pass
             self.nodes.wait_for_change(0.5)
@@ -245,10 +249,11 @@ def clocks_off(program, folder, jobs, generator):
 
 
 class Line:
-    """A line to a database that can be cut: whoever is connected loses the connection, and nobody gets a new one."""
+    """A line to a database that can be slow, and cut: whoever is connected loses the connection, and nobody gets a new one."""
 
-    def __init__(self, database):
-        self.database, self.whole, self.ends = database, True, []
+    def __init__(self, database, delay_s=0.0):
+        """`delay_s`: what passes takes this long, each way."""
+        self.database, self.delay_s, self.whole, self.ends = database, delay_s, True, []
         self.door = socket.create_server(("127.0.0.1", 0))
         self.address = f"postgresql://floeplan@127.0.0.1:{self.door.getsockname()[1]}/postgres?sslmode=disable"
         threading.Thread(target=self._accept, daemon=True).start()
@@ -265,10 +270,10 @@ class Line:
             for ends in ((near, far), (far, near)):
                 threading.Thread(target=self._carry, args=ends, daemon=True).start()
 
-    @staticmethod
-    def _carry(source, target):
+    def _carry(self, source, target):
         try:
             while data := source.recv(1 << 16):
+                time.sleep(self.delay_s)  # this is the fault: the line is slow
                 target.sendall(data)
             target.shutdown(socket.SHUT_WR)
         except OSError:
@@ -327,6 +332,112 @@ def cut_off(program, folder):
     print("worker cut off from the database: its job was done by another, and it works again", flush=True)
 
 
+WINDOW = {"from": [-53, 69], "to": [-50, 67], "depart": "2026-11-20T06:00:00Z", "depart_until": "2026-11-24T06:00:00Z",
+          "depart_step": "PT1H", "spacing_m": 1500, "refine": False}
+
+
+def of_plan(answer):
+    """What a plan says, without the time that it took."""
+    return {name: answer["plan"][name] for name in ("plan_id", "waypoints", "departures")} if "plan" in answer else answer
+
+
+def shared_windows(program, folder, windows, kills, generator):
+    """Workers do windows of departures together, and are killed: each window ends as one worker alone ends it."""
+    folder.mkdir()
+    wanted = [{**WINDOW, "speed_m_s": 0.3 + 0.02 * number} for number in range(windows)]
+    alone = Served(program, folder / "alone", before=["--log-level", "error"])
+    right = [of_plan(alone.execute("plan-route", inputs)[1]) for inputs in wanted]
+    alone.end()
+
+    database = Database(folder / "database")
+    nodes = Nodes(program, folder, database.address)
+    server = nodes.servers()[0]
+    jobs = [server.execute("plan-route", inputs, wait=False)[1]["jobID"] for inputs in wanted]
+    for _ in range(kills):
+        server.ask("GET", "/jobs/" + jobs[-1], headers={"Prefer": f"wait={generator.randint(1, 3)}"})
+        nodes.kill(*generator.choice(nodes.places[2:]))
+    expect(have_ended(nodes, 300), "windows did not end")
+    for job, plan in zip(jobs, right):
+        status, answer = server.ask("GET", f"/jobs/{job}/results")
+        if status != 200 and "begun 3 times" in json.dumps(answer):
+            continue
+        expect(status == 200 and of_plan(answer) == plan, f"window {job} is another plan: {json.dumps(answer)[:200]}")
+    left = database.query("SELECT count(*) FROM job_part")
+    expect(left == [["0"]], f"{left[0][0]} parts of ended jobs are left")
+    nodes.end()
+    database.end()
+    print(f"{kills} kills of workers that share {windows} windows: each plan is the one of a single worker", flush=True)
+
+
+def slow_database(program, folder, jobs, generator):
+    """Each word to the database and back takes a tenth of a second: slower, but each job once."""
+    folder.mkdir()
+    database = Database(folder / "database")
+    line = Line(database, delay_s=0.05)
+    nodes = Nodes(program, folder, line.address)
+    clients = [Client(nodes, random.Random(generator.random()), jobs // 2, number) for number in range(2)]
+    for client in clients:
+        client.start()
+    for client in clients:
+        client.join()
+    expect(have_ended(nodes, 300), "jobs did not end at a slow database")
+    look_at(database, {job: text for client in clients for job, text in client.promised.items()})
+    again = database.query("SELECT count(*) FROM job WHERE attempts <> 1")
+    expect(again == [["0"]], f"{again[0][0]} jobs were begun again because the database is slow")
+    for server in nodes.servers():
+        expect(server.ask("GET", "/readyz")[0] == 200, "a server is not ready because the database is slow")
+    nodes.end()
+    database.end()
+    print(f"slow database: {jobs} jobs promised, each begun once", flush=True)
+
+
+def full_disk(program, folder, jobs, generator):
+    """The disk of the database is full for a while. What is not written is not promised, and what was promised is done."""
+    folder.mkdir()
+    disk = folder / "disk"
+    disk.mkdir()
+    if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=64m,mode=0777", "tmpfs", disk], capture_output=True).returncode != 0:
+        print("full disk: left out, this user may not mount a small disk", flush=True)
+        return
+    try:
+        database = Database(folder / "database")
+        space = disk / "tables"
+        space.mkdir()
+        shutil.chown(space, database.user)
+        database.query(f"CREATE TABLESPACE small LOCATION '{space}'")
+        database.query("ALTER DATABASE postgres SET default_tablespace = small")
+        nodes = Nodes(program, folder, database.address)
+        clients = [Client(nodes, random.Random(generator.random()), jobs // 2, number, text_of=4000) for number in range(2)]
+        for client in clients:
+            client.start()
+        for client in clients:
+            client.has_a_third.wait()
+        filler = disk / "filler"
+        with filler.open("wb", buffering=0) as out:
+            try:
+                while out.write(b"\0" * 4096):
+                    pass
+            except OSError:
+                pass  # it is full
+        refused = threading.Event()
+        for client in clients:
+            client.refused = refused
+        expect(refused.wait(60), "a full disk was not noticed")
+        filler.unlink()
+        nodes.tell_of_change()
+        for client in clients:
+            client.join()
+        expect(have_ended(nodes, 300), "jobs did not end after the disk was full")
+        look_at(database, {job: text for client in clients for job, text in client.promised.items()})
+        for server in nodes.servers():
+            expect(server.ask("GET", "/readyz")[0] == 200, "a server is not ready after the disk was full")
+        nodes.end()
+        database.end()
+        print(f"disk of the database full for a while: {jobs} jobs promised, each done once", flush=True)
+    finally:
+        subprocess.run(["umount", disk], check=False)
+
+
 def restored(program, folder, generator):
     """A database is restored to a moment of the past from a base backup and its log: what was promised before is there."""
     folder.mkdir()
@@ -380,8 +491,11 @@ def main():
         killed_nodes(given.program, folder / "killed", given.jobs, given.kills, generator)
         lost_primary(given.program, folder / "promoted", max(given.jobs // 5, 90), generator)
         clocks_off(given.program, folder / "clocks", 40, generator)
+        shared_windows(given.program, folder / "windows", 6, 8 if given.long else 2, generator)
         if given.long:
             cut_off(given.program, folder / "cut")
+            slow_database(given.program, folder / "slow", 60, generator)
+            full_disk(given.program, folder / "full", 2000, generator)
             restored(given.program, folder / "restored", generator)
     print(json.dumps(faults[:20], indent=1) if faults else "nothing was lost", flush=True)
     return 1 if faults else 0
