@@ -10,7 +10,6 @@
 #include "api/codec/documents/departure_document.hpp"
 #include "api/codec/documents/plan_document.hpp"
 #include "api/service/coverage_checks.hpp"
-#include "api/service/threads.hpp"
 #include "engine/core/utc_text.hpp"
 #include "engine/messages/fault.hpp"
 #include "engine/messages/plan_messages.hpp"
@@ -145,7 +144,8 @@ GroundKey ground_key(sql::Connection& db, const codec::EvaluateInputs& inputs,
 }  // namespace
 
 tl::expected<json, core::Violations> plan_route_document(sql::Connection& db, const codec::PlanInputs& inputs,
-                                                         std::size_t workers, const std::stop_token& stop,
+                                                         const core::Executor& executor,
+                                                         const std::stop_token& stop,
                                                          const core::ProgressCallback& progress,
                                                          core::UtcTime now, KeptWork* kept) {
   if (progress) progress("loading data", 0.0);
@@ -165,12 +165,11 @@ tl::expected<json, core::Violations> plan_route_document(sql::Connection& db, co
     return std::move(*sea);
   };
   const planning::PlanRequest& request = inputs.request;
-  const Threads threads{workers};
   const double share_of_plan = 1.0 / (1.0 + request.alternatives);
   const core::ProgressCallback of_plan = core::part_of(progress, "", 0.0, share_of_plan);
   const core::ProgressCallback of_alternatives = core::part_of(progress, "", share_of_plan, 1.0);
   const Stopwatch watch;
-  auto [departures, plan] = make_plan(*environment, request, wider, threads, stop, of_plan);
+  auto [departures, plan] = make_plan(*environment, request, wider, executor, stop, of_plan);
   if (!plan) {
     json document = codec::infeasible_document(plan.error(), *environment);
     add_departures(document, departures);
@@ -180,7 +179,7 @@ tl::expected<json, core::Violations> plan_route_document(sql::Connection& db, co
   add_departures(besides, departures);
   if (request.alternatives > 0) {
     auto alternatives =
-        planning::find_alternatives(*environment, request, *plan, stop, of_alternatives, threads);
+        planning::find_alternatives(*environment, request, *plan, stop, of_alternatives, executor);
     if (!alternatives) return codec::infeasible_document(alternatives.error(), *environment);
     besides["alternatives"] = keep_alternatives(db, inputs, alternatives->found, now);
     if (alternatives->fewer) plan->messages.push_back(*alternatives->fewer);

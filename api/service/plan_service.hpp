@@ -6,6 +6,7 @@
 
 #include "api/codec/inputs/plan_inputs.hpp"
 #include "api/service/kept_work.hpp"
+#include "engine/core/executor.hpp"
 #include "engine/core/progress.hpp"
 #include "engine/core/units.hpp"
 #include "engine/core/violation.hpp"
@@ -13,16 +14,16 @@
 
 namespace floeplan::service {
 
-/// Plans a route in the stored data and stores the plan. Common to API and command line. `workers`: number of
-/// threads for the planner; the plan does not depend on it. `kept` has the caches of the store of `db`,
-/// borrowed; null: no caches.
+/// Plans a route in the stored data and stores the plan. Common to API and command line. The plan does not depend
+/// on the executor. `kept` has the caches of the store of `db`, borrowed; null: no caches.
 /// Returns  the plan document: status "ok", or "infeasible" with the reason ("cancelled" when `stop` was
 ///          requested); if a plan with the same id is already stored, its document
 /// Errors   violations of the choice of data (unknown id, wrong kind, no intersection with the area)
 /// Names    the plan's id is codec::plan_identity: the same request on the same data gives the same id
 [[nodiscard]] tl::expected<nlohmann::json, core::Violations> plan_route_document(
-    sql::Connection& db, const codec::PlanInputs& inputs, std::size_t workers, const std::stop_token& stop,
-    const core::ProgressCallback& progress, core::UtcTime now, KeptWork* kept = nullptr);
+    sql::Connection& db, const codec::PlanInputs& inputs, const core::Executor& executor,
+    const std::stop_token& stop, const core::ProgressCallback& progress, core::UtcTime now,
+    KeptWork* kept = nullptr);
 
 /// Evaluates a given route in the stored data; stores nothing.
 /// Returns  a document of the same shape, without a plan_id

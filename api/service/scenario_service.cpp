@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "api/codec/documents/flight_document.hpp"
-#include "api/service/parallel_runs.hpp"
+#include "api/service/flown_runs.hpp"
 #include "engine/core/random.hpp"
 #include "engine/simulation/flight/equipped_vehicle.hpp"
 #include "engine/simulation/flight/hindsight.hpp"
@@ -101,18 +101,16 @@ json median_detour_of_runs(const std::vector<RunSummary>& runs) {
 
 }  // namespace
 
-json fly_scenario_document(const codec::ScenarioInputs& asked, std::size_t workers,
+json fly_scenario_document(const codec::ScenarioInputs& asked, const core::Executor& executor,
                            const std::stop_token& stop, const core::ProgressCallback& progress) {
   const simulation::Equipment equipment;
   std::vector<RunSummary> runs(static_cast<std::size_t>(asked.runs));
-  run_in_parallel(
-      runs.size(), workers, stop,
-      [&](std::size_t run, const std::stop_token& run_stop) {
-        runs[run] = fly_field(core::seed_of_run(asked.seed, run), asked.avoidance, equipment, run_stop);
+  fly_runs<RunSummary>(
+      runs.size(), executor, stop, progress,
+      [&](std::size_t run) {
+        return fly_field(core::seed_of_run(asked.seed, run), asked.avoidance, equipment, stop);
       },
-      [&](std::size_t done) {
-        if (progress) progress("flying", static_cast<double>(done) / static_cast<double>(runs.size()));
-      });
+      [&](std::size_t run, RunSummary summary) { runs[run] = std::move(summary); });
   if (stop.stop_requested()) return {{"status", "cancelled"}, {"scenario", asked.scenario}};
   const auto is_beyond_help = [](const RunSummary& run) { return run.could_be_saved == false; };
   const auto has_given_up = [](const RunSummary& run) {

@@ -13,7 +13,7 @@
 #include "api/codec/documents/flight_document.hpp"
 #include "api/codec/documents/plan_document.hpp"
 #include "api/codec/inputs/plan_inputs.hpp"
-#include "api/service/parallel_runs.hpp"
+#include "api/service/flown_runs.hpp"
 #include "engine/core/random.hpp"
 #include "engine/core/utc_text.hpp"
 #include "engine/core/version.hpp"
@@ -255,23 +255,34 @@ struct Flown {
   std::vector<repository::SimulatedFlight> kept;
 };
 
-Flown fly_all(const Batch& batch, const SimulateInputs& inputs, std::size_t workers,
+/// One flight of a batch.
+struct FlownRun {
+  simulation::RunSummary summary;
+  std::string document_json{};  // empty if the flight is not kept whole
+
+  /// For core::packed.
+  friend auto members_of(FlownRun& run) {
+    auto& [summary, document_json] = run;
+    return std::tie(summary, document_json);
+  }
+};
+
+Flown fly_all(const Batch& batch, const SimulateInputs& inputs, const core::Executor& executor,
               const std::stop_token& stop, const core::ProgressCallback& progress) {
   const auto runs = static_cast<std::size_t>(inputs.runs);
   const auto tracks = static_cast<std::size_t>(inputs.tracks);
   Flown flown{std::vector<simulation::RunSummary>(runs), std::vector<repository::SimulatedFlight>(tracks)};
-  run_in_parallel(
-      runs, workers, stop,
-      [&](std::size_t run, const std::stop_token& run_stop) {
-        Batch::Run done = batch.fly(run, run_stop);
-        if (run < tracks) {
-          flown.kept[run] = {static_cast<std::int64_t>(run),
-                             codec::flight_document(done.record, batch.projection(), run).dump()};
-        }
-        flown.summaries[run] = std::move(done.summary);
+  fly_runs<FlownRun>(
+      runs, executor, stop, progress,
+      [&](std::size_t run) {
+        Batch::Run done = batch.fly(run, stop);
+        std::string document;
+        if (run < tracks) document = codec::flight_document(done.record, batch.projection(), run).dump();
+        return FlownRun{std::move(done.summary), std::move(document)};
       },
-      [&](std::size_t done) {
-        if (progress) progress("flying", static_cast<double>(done) / static_cast<double>(runs));
+      [&](std::size_t run, FlownRun done) {
+        flown.summaries[run] = std::move(done.summary);
+        if (run < tracks) flown.kept[run] = {static_cast<std::int64_t>(run), std::move(done.document_json)};
       });
   return flown;
 }
@@ -331,7 +342,8 @@ json document_of(const std::string& id, const SimulateInputs& inputs, const Flow
 }  // namespace
 
 tl::expected<json, core::Violations> simulate_plan_document(sql::Connection& db, const SimulateInputs& inputs,
-                                                            std::size_t workers, const std::stop_token& stop,
+                                                            const core::Executor& executor,
+                                                            const std::stop_token& stop,
                                                             const core::ProgressCallback& progress,
                                                             core::UtcTime now) {
   if (progress) progress("loading data", 0.0);
@@ -350,7 +362,7 @@ tl::expected<json, core::Violations> simulate_plan_document(sql::Connection& db,
   if (stop.stop_requested()) return cancelled;
   if (auto violations = batch.violations(); !violations.empty()) return tl::unexpected(std::move(violations));
 
-  const Flown result = fly_all(batch, inputs, workers, stop, progress);
+  const Flown result = fly_all(batch, inputs, executor, stop, progress);
   if (stop.stop_requested()) return cancelled;
   const json request = codec::to_json(inputs);
   const std::string id = simulation_id(request, *flown, *environment);

@@ -6,6 +6,7 @@
 #include <tl/expected.hpp>
 
 #include "api/codec/inputs/simulate_inputs.hpp"
+#include "engine/core/executor.hpp"
 #include "engine/core/progress.hpp"
 #include "engine/core/units.hpp"
 #include "engine/core/violation.hpp"
@@ -19,9 +20,9 @@ namespace floeplan::service {
 /// Errors   violations: an unknown plan, another vehicle than the plan's, faults of mission files, data that
 ///          do not cover the plan, inconsistent settings
 /// Names    the simulation's id is a digest of its inputs, the plan and the data: the same request gives the
-///          same id and the same bytes, whatever the number of `workers`
+///          same id and the same bytes, whatever the executor
 [[nodiscard]] tl::expected<nlohmann::json, core::Violations> simulate_plan_document(
-    sql::Connection& db, const codec::SimulateInputs& inputs, std::size_t workers,
+    sql::Connection& db, const codec::SimulateInputs& inputs, const core::Executor& executor,
     const std::stop_token& stop, const core::ProgressCallback& progress, core::UtcTime now);
 
 }  // namespace floeplan::service

@@ -3,6 +3,9 @@
 #include <atomic>
 #include <cstddef>
 #include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
 
 namespace floeplan::core {
@@ -24,6 +27,21 @@ class Executor {
   /// pieces have ended.
   /// Errors  rethrows the first exception of a piece; some pieces are then left out
   virtual void run(std::size_t count, const Piece& piece) const = 0;
+
+  /// Pieces of work whose results are bytes, so that another process may do some of them: one that does the same
+  /// job with the same data and the same version, and therefore comes to the same parts.
+  struct Parts {
+    std::size_t count{};
+    /// Does a part, as a piece. Empty: it was stopped before its end.
+    std::function<std::optional<std::string>(std::size_t index, bool is_caller)> work;
+    /// Takes the result of a part, wherever it was done. Called on the thread that called `run_parts`, once for
+    /// every part that came to its end.
+    std::function<void(std::size_t index, std::string_view result)> take;
+  };
+
+  /// Does all parts. The results do not depend on where.
+  /// Errors  as `run`
+  virtual void run_parts(const Parts& parts) const;
 };
 
 /// An executor that runs one piece after another on the calling thread.

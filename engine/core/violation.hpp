@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -16,6 +17,11 @@ struct NamedValue {
   Value value;
 
   friend bool operator==(const NamedValue&, const NamedValue&) = default;
+  /// For core::packed.
+  friend auto members_of(NamedValue& named) {
+    auto& [name, value] = named;
+    return std::tie(name, value);
+  }
 };
 
 /// One rule that data from outside break. All violations are reported together, not only the first one.

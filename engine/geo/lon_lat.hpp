@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <tuple>
 
 namespace floeplan::geo {
 
@@ -10,6 +11,11 @@ struct LonLat {
   double lat_deg{};
 
   friend bool operator==(LonLat, LonLat) = default;
+  /// For core::packed.
+  friend auto members_of(LonLat& place) {
+    auto& [lon_deg, lat_deg] = place;
+    return std::tie(lon_deg, lat_deg);
+  }
 };
 
 /// The longitude wrapped to [-180, 180).

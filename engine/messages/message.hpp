@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "engine/core/violation.hpp"
@@ -36,6 +37,11 @@ struct Message {
   [[nodiscard]] Message at(geo::LonLat where) &&;
 
   friend bool operator==(const Message&, const Message&) = default;
+  /// For core::packed.
+  friend auto members_of(Message& message) {
+    auto& [code, rank, place, values, text, hint] = message;
+    return std::tie(code, rank, place, values, text, hint);
+  }
 };
 
 /// Whether the message's rank is danger.

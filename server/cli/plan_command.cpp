@@ -5,6 +5,7 @@
 #include "api/codec/inputs/plan_inputs.hpp"
 #include "api/fields/process_fields.hpp"
 #include "api/service/plan_service.hpp"
+#include "api/service/threads.hpp"
 #include "server/cli/output/plan_output.hpp"
 #include "server/cli/output/violation_output.hpp"
 #include "server/cli/program/command.hpp"
@@ -20,8 +21,8 @@ int run_plan(const InputFlags& flags, PlanOutput output, const Program& program)
   if (!inputs) return print_violations(inputs.error(), json_out, flags_of(fields::Process::plan_route));
 
   auto db = open_existing_store(program);
-  const std::size_t workers = std::max(1U, std::thread::hardware_concurrency());
-  const auto document = service::plan_route_document(db, *inputs, workers, {}, terminal_progress(), now());
+  const service::Threads threads{std::max(1U, std::thread::hardware_concurrency())};
+  const auto document = service::plan_route_document(db, *inputs, threads, {}, terminal_progress(), now());
   if (!document) return print_violations(document.error(), json_out, flags_of(fields::Process::plan_route));
   return print_plan(*document, output);
 }

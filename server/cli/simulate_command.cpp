@@ -13,6 +13,7 @@
 #include "api/routes/plans/simulation_exports.hpp"
 #include "api/service/scenario_service.hpp"
 #include "api/service/simulation_service.hpp"
+#include "api/service/threads.hpp"
 #include "server/cli/output/file_set.hpp"
 #include "server/cli/output/plan_output.hpp"
 #include "server/cli/output/violation_output.hpp"
@@ -190,8 +191,8 @@ int run_simulate(const SimulateFlags& flags, const Program& program) {
   if (!repository::PlanRepository{db}.find({inputs->plan_id})) return complain_of_no_plan(inputs->plan_id);
   const auto begin = std::chrono::steady_clock::now();
   const Interruption interruption;
-  auto document = service::simulate_plan_document(db, *inputs, flags.workers, interruption.token(),
-                                                  terminal_progress(), now());
+  auto document = service::simulate_plan_document(db, *inputs, service::Threads{flags.workers},
+                                                  interruption.token(), terminal_progress(), now());
   if (!document) return print_violations(document.error(), flags.json_out, input_flags);
   if (was_interrupted(*document)) return complain_of_interruption();
   (*document)["real_time_factor"] = real_time_factor(*document, begin);
@@ -210,8 +211,8 @@ int run_scenario(const SimulateFlags& flags) {
                                     .avoidance = !flags.no_avoidance};
   const auto begin = std::chrono::steady_clock::now();
   const Interruption interruption;
-  json document =
-      service::fly_scenario_document(asked, flags.workers, interruption.token(), terminal_progress());
+  json document = service::fly_scenario_document(asked, service::Threads{flags.workers}, interruption.token(),
+                                                 terminal_progress());
   if (was_interrupted(document)) return complain_of_interruption();
   document["real_time_factor"] = real_time_factor(document, begin);
   if (flags.json_out) {

@@ -201,11 +201,12 @@ void JobBoard::announce(const JobId& id) {
 
 void JobBoard::take_note(const JobId& id, const std::string& status) {
   using repository::JobStatus;
-  if (status == repository::status_name(JobStatus::accepted)) wake_workers();
+  if (status == repository::status_name(JobStatus::accepted) || status == "parts") wake_workers();
   const std::lock_guard lock{mutex_};
   // A job that runs here and is still running has only told its progress, which this process has stored itself.
   const auto found = running_.find(id);
-  if (found != running_.end() && status != repository::status_name(JobStatus::running))
+  if (found != running_.end() && status != repository::status_name(JobStatus::running) && status != "parts" &&
+      status != "part")
     found->second.job.changed = true;
   wake(id);
   wake({});

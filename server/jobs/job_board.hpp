@@ -64,8 +64,9 @@ class JobBoard : public routes::JobGateway {
   void stop_all();
   /// Wakes all who wait for this job or for any job.
   void announce(const repository::JobId& id);
-  /// Another process has changed a job, `status` is its new status. Wakes whom it concerns: workers for a waiting
-  /// job, and the thread that renews leases for a job that runs here, which may have been dismissed.
+  /// Another process has changed a job, `status` as in repository::ChangedJobs. Wakes whom it concerns: workers for a
+  /// waiting job and for parts, and the thread that renews leases for a job that runs here, which may have been
+  /// dismissed.
   void take_note(const repository::JobId& id, const std::string& status);
   /// Other processes may have changed any job. Wakes everybody.
   void take_note_of_all();

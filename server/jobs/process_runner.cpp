@@ -58,7 +58,7 @@ struct Work {
   sql::Connection& db;
   const repository::JobRecord& job;
   const service::IngestPlace& place;
-  std::size_t workers;
+  const core::Executor& executor;
   service::KeptWork& kept;
   const std::stop_token& stop;
   const core::ProgressCallback& progress;
@@ -68,7 +68,7 @@ struct Work {
 using Outcome = tl::expected<ProcessResult, std::string>;
 
 Outcome plan_route(const Work& work, const codec::PlanInputs& inputs) {
-  const auto plan = service::plan_route_document(work.db, inputs, work.workers, work.stop, work.progress,
+  const auto plan = service::plan_route_document(work.db, inputs, work.executor, work.stop, work.progress,
                                                  work.now, &work.kept);
   note_owner(work.db, work.job, work.now, repository::plan_table, "plan_id", plan);
   return result("plan", plan);
@@ -91,13 +91,13 @@ Outcome ingest_files(const Work& work, const codec::IngestInputs& inputs) {
 
 Outcome simulate_plan(const Work& work, const codec::SimulateInputs& inputs) {
   const auto simulation =
-      service::simulate_plan_document(work.db, inputs, work.workers, work.stop, work.progress, work.now);
+      service::simulate_plan_document(work.db, inputs, work.executor, work.stop, work.progress, work.now);
   note_owner(work.db, work.job, work.now, repository::simulation_table, "simulation_id", simulation);
   return result("simulation", simulation);
 }
 
 Outcome fly_scenario(const Work& work, const codec::ScenarioInputs& inputs) {
-  return result("scenario", service::fly_scenario_document(inputs, work.workers, work.stop, work.progress));
+  return result("scenario", service::fly_scenario_document(inputs, work.executor, work.stop, work.progress));
 }
 
 Outcome compare_flight(const Work& work, const codec::CompareFlightInputs& inputs) {
@@ -140,13 +140,14 @@ constexpr auto processes = std::to_array<Process>({
 }  // namespace
 
 tl::expected<ProcessResult, std::string> run_process(sql::Connection& db, const repository::JobRecord& job,
-                                                     const service::IngestPlace& place, std::size_t workers,
-                                                     service::KeptWork& kept, const std::stop_token& stop,
+                                                     const service::IngestPlace& place,
+                                                     const core::Executor& executor, service::KeptWork& kept,
+                                                     const std::stop_token& stop,
                                                      const core::ProgressCallback& progress,
                                                      core::UtcTime now) {
   const auto process = std::ranges::find(processes, job.process, &Process::id);
   if (process == processes.end()) return tl::unexpected("this version knows no process " + job.process);
-  return process->run({db, job, place, workers, kept, stop, progress, now});
+  return process->run({db, job, place, executor, kept, stop, progress, now});
 }
 
 }  // namespace floeplan::jobs

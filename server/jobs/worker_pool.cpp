@@ -11,6 +11,7 @@
 #include <random>
 
 #include "api/log/log.hpp"
+#include "api/service/threads.hpp"
 #include "server/jobs/pause.hpp"
 #include "server/jobs/process_runner.hpp"
 #include "storage/sql/driver/failure.hpp"
@@ -63,11 +64,12 @@ void lower_priority(JobClass job_class) {
   }
 }
 
-/// Whether a failure of the store may be temporary: the disk may get free space, or another process may
-/// release its lock.
-bool may_pass(const sql::Failure& failure) {
+/// Whether a failure of the store may be temporary: the disk may get free space, another process may release its
+/// lock, or the database may be reached again. For an ingestion a full disk is no such failure: a file too large for
+/// the disk would fill it again and again. Its sender is told at once.
+bool may_pass(const sql::Failure& failure, JobClass job_class) {
   switch (failure.trouble()) {
-    case sql::Trouble::disk_full:
+    case sql::Trouble::disk_full: return job_class != JobClass::ingest;
     case sql::Trouble::held_by_another:
     case sql::Trouble::not_writable: return true;
     case sql::Trouble::damaged:
@@ -108,9 +110,9 @@ WorkerPool::WorkerPool(const OpenStore& open_store, JobBoard& board, std::size_t
             .grounds = repository::RecentlyUsed<service::GroundKey, planning::search::RouteGround>{
                 most_kept_grounds}} {
   auto db = open_store();
-  const bool shared = sql::is_shared(db);
-  lease_ = shared ? lease_among_nodes : lease_of_only_server;
-  if (!shared) JobRepository{db}.release_all_leases(sql::time_of(db));
+  shared_ = sql::is_shared(db);
+  lease_ = shared_ ? lease_among_nodes : lease_of_only_server;
+  if (!shared_) JobRepository{db}.release_all_leases(sql::time_of(db));
   // All connections are opened here, so that a failure prevents the start of the pool instead of ending a
   // thread later.
   lease_keeper_ = std::jthread{
@@ -149,6 +151,7 @@ void WorkerPool::work(sql::Connection& db, const std::string& name, JobClass job
         run(db, *job, name, stop);
         continue;
       }
+      if (shared_ && job_class == JobClass::batch && help(db, name, stop)) continue;
     } catch (const std::exception& error) {
       log::error({"a worker could not read or write the queue: ", error.what()});
     }
@@ -171,17 +174,15 @@ void WorkerPool::run(sql::Connection& db, const JobRecord& job, const std::strin
   tl::expected<ProcessResult, std::string> result;
   bool put_off = false;
   try {
+    const auto executor = executor_of(db, job, worker, job_stop);
     result = run_process(
-        db, job, place_, workers_, kept_, job_stop.get_token(),
-        [&](std::string_view stage, double share) { board_.report(job.id, stage, share); },
-        sql::time_of(db));
+        db, job, place_, *executor, kept_, job_stop.get_token(),
+        [&](std::string_view stage, double share) { board_.report(job.id, stage, share); }, sql::time_of(db));
   } catch (const std::bad_alloc&) {
     log::error({"job=", job.id.value, " broke off: no memory"});
     result = tl::unexpected(std::string{no_memory});
   } catch (const sql::Failure& failure) {
-    // An ingestion is not retried: a file too large for the disk would fill it again and again. Its sender is
-    // told at once.
-    put_off = job.job_class != JobClass::ingest && may_pass(failure);
+    put_off = may_pass(failure, job.job_class);
     log::error({"job=", job.id.value, put_off ? " is put off: " : " broke off: ", failure.what()});
     result = tl::unexpected(std::string{"the work broke off: "} + failure.what());
   } catch (const std::exception& error) {
@@ -215,16 +216,64 @@ void WorkerPool::run(sql::Connection& db, const JobRecord& job, const std::strin
   if (put_off) pause(before_next_try, pool_stop);
 }
 
+std::unique_ptr<core::Executor> WorkerPool::executor_of(sql::Connection& db, const JobRecord& job,
+                                                        const std::string& worker,
+                                                        const std::stop_source& stop) {
+  if (!shared_ || job.job_class != JobClass::batch) return std::make_unique<service::Threads>(workers_);
+  return std::make_unique<SharedParts>(
+      db, board_, part_holders_,
+      SharedParts::Settings{
+          .job = job.id, .worker = worker, .threads = workers_, .lease = lease_, .stop = stop});
+}
+
+bool WorkerPool::help(sql::Connection& db, const std::string& worker, const std::stop_token& stop) {
+  const std::unique_lock alone{helping_, std::try_to_lock};
+  if (!alone) return false;
+  const std::string node = worker.substr(0, worker.rfind('/') + 1);
+  const auto id = repository::JobParts{db}.in_need(node, sql::time_of(db), beyond_help_);
+  if (!id) {
+    beyond_help_.clear();
+    return false;
+  }
+  const auto job = JobRepository{db}.find(*id);
+  if (!job) return true;
+  std::stop_source enough;
+  const std::stop_callback stop_with_pool{stop, [&] { enough.request_stop(); }};
+  const SharedParts parts{db,
+                          board_,
+                          part_holders_,
+                          {.job = *id,
+                           .worker = worker,
+                           .threads = workers_,
+                           .lease = lease_,
+                           .role = SharedParts::Role::helps,
+                           .stop = enough}};
+  log::info({"job=", id->value, " process=", job->process, " is helped"});
+  try {
+    // Whoever leads the job gives its result.
+    (void)run_process(
+        db, *job, place_, parts, kept_, enough.get_token(), [](std::string_view, double) {},
+        sql::time_of(db));
+  } catch (const std::exception& error) {
+    log::error({"job=", id->value, " could not be helped: ", error.what()});
+  }
+  log::info({"job=", id->value, " parts=", std::to_string(parts.done_here()), " done here"});
+  if (parts.done_here() == 0) beyond_help_.insert(*id);
+  return true;
+}
+
 void WorkerPool::keep_leases(sql::Connection& db, const std::stop_token& stop) {
   using Clock = std::chrono::steady_clock;
   std::map<repository::JobId, Clock::time_point> renewed;
+  Clock::time_point parts_renewed = Clock::now();
   while (!stop.stop_requested()) {
     board_.stop_overdue(Clock::now());
     const auto running = board_.running();
     std::map<repository::JobId, Clock::time_point> next;
     for (const auto& job : running) {
       const auto last = renewed.find(job.id);
-      const bool due = job.changed || last == renewed.end() || Clock::now() - last->second >= renewal_interval;
+      const bool due =
+          job.changed || last == renewed.end() || Clock::now() - last->second >= renewal_interval;
       next[job.id] = due ? Clock::now() : last->second;
       if (!due) continue;
       try {
@@ -237,6 +286,14 @@ void WorkerPool::keep_leases(sql::Connection& db, const std::stop_token& stop) {
       board_.announce(job.id);
     }
     renewed = std::move(next);
+    if (Clock::now() - parts_renewed >= renewal_interval) {
+      parts_renewed = Clock::now();
+      try {
+        part_holders_.renew(db, sql::time_of(db), lease_);
+      } catch (const std::exception& error) {
+        log::error({"the leases of parts could not be renewed: ", error.what()});
+      }
+    }
     pause(progress_interval, stop);
   }
 }

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "api/service/parallel_runs.hpp"
+#include "api/service/threads.hpp"
 #include "engine/planning/plane/plane_box.hpp"
 #include "engine/simulation/flight/equipped_vehicle.hpp"
 #include "engine/simulation/flight/random_icebergs.hpp"
@@ -74,12 +74,8 @@ template <class OnBoardFor>
 double seconds_passed(std::size_t workers, std::size_t runs, const std::vector<IcebergField>& seas,
                       const OnBoardFor& on_board_for) {
   const auto begin = std::chrono::steady_clock::now();
-  service::run_in_parallel(
-      runs, workers, {},
-      [&](std::size_t run, const std::stop_token&) {
-        (void)flown_through(seas[run % seas.size()], run, on_board_for);
-      },
-      [](std::size_t) {});
+  service::Threads{workers}.run(
+      runs, [&](std::size_t run, bool) { (void)flown_through(seas[run % seas.size()], run, on_board_for); });
   return core::Seconds{std::chrono::steady_clock::now() - begin}.count();
 }
 

@@ -3,7 +3,9 @@
 #include <mutex>
 #include <optional>
 #include <utility>
+#include <vector>
 
+#include "engine/core/packed_parts.hpp"
 #include "engine/planning/cost/driven_route.hpp"
 #include "engine/planning/cost/route_cost.hpp"
 #include "engine/planning/planner/cost_plan.hpp"
@@ -218,16 +220,26 @@ std::vector<Result<Journey>> leave_all(const std::vector<core::UtcTime>& departu
   std::vector<Result<Journey>> journeys(departures.size(),
                                         tl::unexpected(search::explain_cancelled(request)));
   const std::size_t pieces = (departures.size() + departures_a_piece - 1) / departures_a_piece;
+  const auto first_of = [&](std::size_t piece) { return piece * departures.size() / pieces; };
   core::CountOfEnded count{ended};
-  executor.run(pieces, [&](std::size_t piece, bool is_caller) {
+  using Journeys = std::vector<Result<Journey>>;
+  const auto leave = [&](std::size_t piece, bool is_caller) -> std::optional<Journeys> {
     Comparison comparison{grounds, request};
-    const std::size_t first = piece * departures.size() / pieces;
-    const std::size_t end = (piece + 1) * departures.size() / pieces;
-    for (std::size_t i = first; i < end && !stop.stop_requested(); ++i) {
-      journeys[i] = comparison.leave(departures[i] - request.depart, stop);
+    Journeys left;
+    for (std::size_t i = first_of(piece); i < first_of(piece + 1); ++i) {
+      left.push_back(comparison.leave(departures[i] - request.depart, stop));
+      if (stop.stop_requested()) return std::nullopt;
       count.add(is_caller);
     }
-  });
+    return left;
+  };
+  const auto take = [&](std::size_t piece, Journeys left, bool elsewhere) {
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      journeys[first_of(piece) + i] = std::move(left[i]);
+      if (elsewhere) count.add(true);
+    }
+  };
+  core::run_packed_parts<Journeys>(executor, pieces, leave, take);
   return journeys;
 }
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <functional>
 #include <stop_token>
+#include <tuple>
 #include <vector>
 
 #include "engine/core/executor.hpp"
@@ -19,6 +20,12 @@ struct Journey {
   core::Joules energy{};
   double cost{};  // by the request's objective
   bool touches_rim{false};
+
+  /// For core::packed.
+  friend auto members_of(Journey& journey) {
+    auto& [arrival, energy, cost, touches_rim] = journey;
+    return std::tie(arrival, energy, cost, touches_rim);
+  }
 };
 
 /// The result for each departure in one environment. Departures after a requested stop are cancelled.

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/core/packed_parts.hpp"
 #include "engine/messages/plan_messages.hpp"
 #include "engine/ocean/currents/ensemble_mean.hpp"
 #include "engine/planning/cost/driven_route.hpp"
@@ -172,19 +173,27 @@ Result<Plan> plan_uncertain(const Task& task, const Planning& plan_in_one_sea) {
     return sea;
   };
   core::CountOfEnded planned{[&](std::size_t ended) { told(static_cast<double>(1 + ended)); }};
-  const auto plan_a_way = [&](std::size_t way) {
-    const auto sea = sea_of(way);
-    if (!sea) return;
-    const Result<Plan> plan = plan_in(*sea, task.as_piece());
-    if (!plan) return;
-    // A route that is closed in the currents of the first member cannot be published, because the plan's
-    // times are those in these currents.
-    Result<Plan> in_first = evaluate_in(environment, places_of(*plan), request, stop);
+  using Places = std::vector<geo::LonLat>;
+  std::vector<Places> places(ways.size());  // none where there is no route
+  core::run_packed_parts<Places>(
+      executor, ways.size(),
+      [&](std::size_t way, bool is_caller) -> std::optional<Places> {
+        const auto sea = sea_of(way);
+        const auto plan = sea ? std::optional{plan_in(*sea, task.as_piece())} : std::nullopt;
+        if (stop.stop_requested()) return std::nullopt;
+        planned.add(is_caller);
+        return plan && *plan ? places_of(**plan) : Places{};
+      },
+      [&](std::size_t way, Places found, bool elsewhere) {
+        places[way] = std::move(found);
+        if (elsewhere) planned.add(true);
+      });
+  // A route that is closed in the currents of the first member cannot be published, because the plan's times are
+  // those in these currents.
+  executor.run(ways.size(), [&](std::size_t way, bool) {
+    if (places[way].empty() || stop.stop_requested()) return;
+    Result<Plan> in_first = evaluate_in(environment, places[way], request, stop);
     if (in_first) ways[way] = std::move(*in_first);
-  };
-  executor.run(ways.size(), [&](std::size_t way, bool is_caller) {
-    if (!stop.stop_requested()) plan_a_way(way);
-    planned.add(is_caller);
   });
   if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
   std::vector<Plan> candidates{*base};

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <tl/expected.hpp>
+#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -68,6 +69,12 @@ struct Change {
   std::string
       text;  // for a person, with all of `with`: "raise the speed through the water from 0.35 to 0.42 m/s"
   std::vector<Change> with{};  // further changes that are needed, because this one alone does not help
+
+  /// For core::packed.
+  friend auto members_of(Change& change) {
+    auto& [input, from, to, text, with] = change;
+    return std::tie(input, from, to, text, with);
+  }
 };
 
 struct Infeasible {
@@ -93,6 +100,14 @@ struct Infeasible {
   [[nodiscard]] std::string explanation() const;
   /// For a person: what would help, one sentence. Taken from the last of `besides` that has a hint.
   [[nodiscard]] std::string suggestion() const;
+
+  /// For core::packed.
+  friend auto members_of(Infeasible& it) {
+    auto& [reason, at, when, why, besides, binding, at_a_stop, changes, moves, cut_short, changes_cut_short,
+           postponed] = it;
+    return std::tie(reason, at, when, why, besides, binding, at_a_stop, changes, moves, cut_short,
+                    changes_cut_short, postponed);
+  }
 };
 
 template <class T>

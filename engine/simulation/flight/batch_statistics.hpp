@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "engine/simulation/flight/flight_record.hpp"
@@ -26,6 +27,13 @@ struct RunSummary {
       could_be_saved;  // with full knowledge; only for flights with onboard avoidance that touched something
 
   friend bool operator==(const RunSummary&, const RunSummary&) = default;
+  /// For core::packed.
+  friend auto members_of(RunSummary& run) {
+    auto& [seed, end, travel_time, final_error, worst_error, clearance, energy, distance, why,
+           could_be_saved] = run;
+    return std::tie(seed, end, travel_time, final_error, worst_error, clearance, energy, distance, why,
+                    could_be_saved);
+  }
 };
 
 /// All figures except `could_be_saved`, which needs the world.

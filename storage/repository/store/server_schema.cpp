@@ -379,7 +379,7 @@ CREATE TABLE audit (
   request_id TEXT NOT NULL
 );
 )sql",
-                             R"sql(
+                                       R"sql(
 -- Files that users have sent, until they are ingested: any node may read them.
 CREATE TABLE upload (
   id TEXT PRIMARY KEY,
@@ -409,6 +409,38 @@ $body$;
 CREATE TRIGGER job_added_announced AFTER INSERT ON job FOR EACH ROW EXECUTE FUNCTION announce_job();
 CREATE TRIGGER job_changed_announced AFTER UPDATE ON job FOR EACH ROW
 WHEN (OLD.change <> NEW.change) EXECUTE FUNCTION announce_job();
+)sql",
+                                       R"sql(
+-- Parts of running jobs, which several nodes do together.
+CREATE TABLE job_part (
+  job_id TEXT NOT NULL REFERENCES job (id) ON DELETE CASCADE,
+  stage BIGINT NOT NULL,
+  part BIGINT NOT NULL,  -- from 0, in each stage
+  basis TEXT NOT NULL,   -- what the results follow from besides the request: a digest of the version and the data
+  holder TEXT,           -- who does it; NULL: nobody
+  lease_until_s DOUBLE PRECISION,
+  result BYTEA,  -- NULL: not finished
+  PRIMARY KEY (job_id, stage, part)
+);
+CREATE FUNCTION remove_parts_of_job() RETURNS trigger LANGUAGE plpgsql AS $body$
+BEGIN
+  DELETE FROM job_part WHERE job_id = NEW.id;
+  RETURN NULL;
+END
+$body$;
+CREATE TRIGGER job_ended AFTER UPDATE OF status ON job FOR EACH ROW
+WHEN (NEW.status IN ('successful', 'failed', 'dismissed')) EXECUTE FUNCTION remove_parts_of_job();
+
+CREATE FUNCTION announce_parts() RETURNS trigger LANGUAGE plpgsql AS $body$
+BEGIN
+  PERFORM pg_notify('floeplan_job_of_' || TG_TABLE_SCHEMA, NEW.job_id || ' ' || TG_ARGV[0]);
+  RETURN NULL;
+END
+$body$;
+CREATE TRIGGER parts_offered AFTER INSERT ON job_part FOR EACH ROW
+WHEN (NEW.part = 0) EXECUTE FUNCTION announce_parts('parts');
+CREATE TRIGGER part_finished AFTER UPDATE OF result ON job_part FOR EACH ROW
+EXECUTE FUNCTION announce_parts('part');
 )sql"};
 
 }  // namespace

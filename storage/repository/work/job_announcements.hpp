@@ -13,7 +13,7 @@ namespace floeplan::repository {
 struct ChangedJobs {
   struct Job {
     JobId id;
-    std::string status;  // its new status
+    std::string status;  // its new status; or "parts": it has parts to do; "part": one of them is finished
   };
   std::vector<Job> jobs;  // in the order of their changes
   bool missed{false};     // the connection was lost for a while, and any job may have changed

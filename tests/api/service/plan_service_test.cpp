@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "api/service/threads.hpp"
 #include "engine/core/utc_text.hpp"
 #include "storage/repository/datasets/dataset_repository.hpp"
 #include "storage/repository/features/iceberg_repository.hpp"
@@ -26,12 +27,12 @@ TEST(PlanService, AnswersWithThePlanThatIsStored) {
                                                     {"depart", "2026-11-20T06:00:00Z"},
                                                     {"method", "direct"}})
                           .value();
-  const json first = plan_route_document(db, inputs, 2, {}, {}, some_time).value();
+  const json first = plan_route_document(db, inputs, Threads{2}, {}, {}, some_time).value();
   ASSERT_EQ(first.at("status"), "ok");
 
   // The plan now looks as if an attempt had stored it that took longer and was killed afterwards.
   sql::execute(db, "UPDATE plan SET document_json = json_set(document_json, '$.search.seconds', 7)");
-  const json second = plan_route_document(db, inputs, 2, {}, {}, some_time).value();
+  const json second = plan_route_document(db, inputs, Threads{2}, {}, {}, some_time).value();
   EXPECT_EQ(second.at("plan_id"), first.at("plan_id"));
   EXPECT_EQ(second.at("search").at("seconds"), 7);
 }
@@ -73,12 +74,12 @@ TEST(PlanService, AnotherPlanForTheSameInputsAndDataHasAnIdOfItsOwn) {
       codec::parse_plan_inputs(
           json{{"from", {-53, 69}}, {"to", {-52.4, 69.0}}, {"depart", "2026-11-20T06:00:00Z"}})
           .value();
-  const json before = plan_route_document(db, inputs, 2, {}, {}, some_time).value();
+  const json before = plan_route_document(db, inputs, Threads{2}, {}, {}, some_time).value();
   ASSERT_EQ(before.at("status"), "ok");
 
   // The store now looks as if another program had read more from the same data.
   sql::execute(db, "UPDATE sighting SET lat_deg = 69.02");
-  const json after = plan_route_document(db, inputs, 2, {}, {}, some_time).value();
+  const json after = plan_route_document(db, inputs, Threads{2}, {}, {}, some_time).value();
 
   ASSERT_EQ(after.at("status"), "ok");
   EXPECT_NE(after.at("plan_id"), before.at("plan_id"));

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -10,7 +11,7 @@ namespace floeplan::service::threads_test {
 namespace {
 
 TEST(Threads, DoEveryPieceOnceHoweverManyThereAre) {
-  for (const std::size_t workers : {1U, 2U, 100U}) {
+  for (const std::size_t workers : {1U, 2U, 7U, 100U}) {
     std::vector<int> done(53);
 
     Threads{workers}.run(done.size(), [&](std::size_t piece, bool) { ++done[piece]; });
@@ -30,11 +31,19 @@ TEST(Threads, TellEachPieceWhetherItsThreadIsTheCallers) {
   EXPECT_EQ(right, std::vector<int>(20, 1));
 }
 
-TEST(Threads, PassOnWhatAPieceThrows) {
-  const auto fails = [](std::size_t piece, bool) {
-    if (piece == 5) throw std::runtime_error{"no room"};
+TEST(Threads, PassOnWhatAPieceThrowsAndBeginNoMore) {
+  std::atomic<int> begun{0};
+  const auto fails = [&](std::size_t, bool) {
+    ++begun;
+    throw std::runtime_error{"no room"};
   };
-  EXPECT_THROW(Threads{4}.run(20, fails), std::runtime_error);
+
+  EXPECT_THROW(Threads{4}.run(1000, fails), std::runtime_error);
+  EXPECT_LE(begun, 4);
+}
+
+TEST(Threads, HaveNothingToDoForNoPieces) {
+  Threads{4}.run(0, [](std::size_t, bool) { FAIL(); });
 }
 
 }  // namespace

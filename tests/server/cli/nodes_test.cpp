@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <unistd.h>
 
+#include <array>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
@@ -39,8 +40,18 @@ class Nodes : public testing::Test {
   static json job_at(const support::ServedProgram& server, const std::string& id) {
     return server.get("/jobs/" + id).json();
   }
-  static bool reaches(const support::ServedProgram& server, const std::string& id, const std::string& status) {
+  static bool reaches(const support::ServedProgram& server, const std::string& id,
+                      const std::string& status) {
     return support::wait_until([&] { return job_at(server, id).value("status", "") == status; });
+  }
+  /// Whether a node writes this into its log.
+  static bool says(const std::filesystem::path& log, const std::string& words) {
+    return support::wait_until([&] { return says_now(log, words); });
+  }
+  static bool says_now(const std::filesystem::path& log, const std::string& words) {
+    std::ifstream in{log};
+    const std::string lines{std::istreambuf_iterator<char>{in}, {}};
+    return lines.find(words) != std::string::npos;
   }
   /// Queues a job that takes this number of seconds.
   static std::string submit_echo(const support::ServedProgram& server, int seconds) {
@@ -96,11 +107,7 @@ TEST_F(Nodes, StopAJobThatWasDismissedAtAnother) {
 
   EXPECT_EQ(server.remove("/jobs/" + id).status, 200);
 
-  EXPECT_TRUE(support::wait_until([&] {
-    std::ifstream in{log};
-    const std::string lines{std::istreambuf_iterator<char>{in}, {}};
-    return lines.find("job=" + id + " outcome=stopped") != std::string::npos;
-  }));
+  EXPECT_TRUE(says(log, "job=" + id + " outcome=stopped"));
   EXPECT_EQ(job_at(server, id).value("status", ""), "dismissed");
 }
 
@@ -110,8 +117,7 @@ TEST_F(Nodes, TakeOnlyJobsOfTheirLanes) {
   const support::ServedProgram ingesting{worker("ingesting"), {"--lanes", "ingest,batch"}};
   const std::string id = submit_echo(server, 0);
   const auto sent = server.upload(bed, "?name=bed.asc");
-  const auto ingested =
-      server.execute("ingest", {{"uploads", {sent.json().at("id")}}, {"positive", "up"}});
+  const auto ingested = server.execute("ingest", {{"uploads", {sent.json().at("id")}}, {"positive", "up"}});
   EXPECT_EQ(ingested.status, 200) << ingested.body;
 
   EXPECT_EQ(job_at(server, id).value("status", ""), "accepted");
@@ -131,6 +137,59 @@ TEST_F(Nodes, DoTheJobsOfAKilledOne) {
   EXPECT_TRUE(reaches(server, id, "successful"));
 }
 
+/// A window of departures in still water, of some seconds of work.
+json window() {
+  return {{"from", {-53, 69}},
+          {"to", {-50, 67}},
+          {"depart", "2026-11-20T06:00:00Z"},
+          {"depart_until", "2026-11-24T06:00:00Z"},
+          {"depart_step", "PT1H"},
+          {"spacing_m", 1200},
+          {"refine", false}};
+}
+
+/// What a plan says of its route and its departures.
+json route_and_departures(const json& plan) {
+  return {plan.at("waypoints"), plan.at("departures"), plan.at("plan_id")};
+}
+
+TEST_F(Nodes, DoTheDeparturesOfOneWindowTogetherAsOneAlone) {
+  const support::ServedProgram server{node("server"), {"--workers", "0"}};
+  const auto logs = std::array{program_.folder() / "log 0", program_.folder() / "log 1"};
+  const support::ServedProgram first{worker("first"), {"--workers", "1"}, logs[0]};
+  const support::ServedProgram second{worker("second"), {"--workers", "1"}, logs[1]};
+  const std::string id = server.submit("plan-route", window()).json().value("jobID", "");
+  ASSERT_TRUE(reaches(server, id, "running"));
+  const bool first_leads = says_now(logs[0], "job=" + id + " process=plan-route attempt=1 begins");
+
+  EXPECT_TRUE(says(logs[first_leads ? 1 : 0], "job=" + id + " process=plan-route is helped"));
+  EXPECT_TRUE(says(logs[first_leads ? 1 : 0], "job=" + id + " parts="));
+  ASSERT_TRUE(reaches(server, id, "successful")) << job_at(server, id);
+
+  const support::Program alone;
+  const support::ServedProgram by_itself{alone.store()};
+  const json plan = server.get("/jobs/" + id + "/results").json().at("plan");
+  const json same = by_itself.execute("plan-route", window()).json().at("plan");
+  EXPECT_EQ(route_and_departures(plan), route_and_departures(same));
+  EXPECT_EQ(plan.at("departures").size(), 97U);
+}
+
+/// A helper that is killed costs its part, and no more.
+TEST_F(Nodes, EndAWindowWhoseHelperWasKilled) {
+  const support::ServedProgram server{node("server"), {"--workers", "0"}};
+  const auto logs = std::array{program_.folder() / "log 0", program_.folder() / "log 1"};
+  support::ServedProgram first{worker("first"), {"--workers", "1"}, logs[0]};
+  support::ServedProgram second{worker("second"), {"--workers", "1"}, logs[1]};
+  const std::string id = server.submit("plan-route", window()).json().value("jobID", "");
+  const std::string helped = "job=" + id + " process=plan-route is helped";
+  ASSERT_TRUE(support::wait_until([&] { return says_now(logs[0], helped) || says_now(logs[1], helped); }));
+
+  (says_now(logs[0], helped) ? first : second).end(SIGKILL);
+
+  EXPECT_TRUE(reaches(server, id, "successful")) << job_at(server, id);
+  EXPECT_EQ(server.get("/jobs/" + id + "/results").json().at("plan").at("departures").size(), 97U);
+}
+
 TEST_F(Nodes, AnswerHealthReadinessAndMetricsAloneAsWorkers) {
   const support::ServedProgram working{worker("working")};
   EXPECT_EQ(working.get("/healthz").status, 200);
@@ -147,8 +206,11 @@ TEST_F(Nodes, HaveTheWholeStoreThatIsCopiedFromAFolder) {
   const std::string folder = (elsewhere.folder() / "before").string();
   const std::string back = (elsewhere.folder() / "back").string();
   const std::string there = support::store_words(program_.store()).at(3);
-  ASSERT_EQ(elsewhere.run_alone({"--store", "sqlite:" + folder, "ingest", "--positive", "up",
-                           (elsewhere.folder() / "bed.asc").string()}).exit_code, 0);
+  ASSERT_EQ(elsewhere
+                .run_alone({"--store", "sqlite:" + folder, "ingest", "--positive", "up",
+                            (elsewhere.folder() / "bed.asc").string()})
+                .exit_code,
+            0);
 
   const auto copied = elsewhere.run_alone({"store", "copy", "sqlite:" + folder, there});
 
@@ -165,7 +227,9 @@ TEST_F(Nodes, HaveTheWholeStoreThatIsCopiedFromAFolder) {
   const auto again = elsewhere.run_alone({"store", "copy", there, "sqlite:" + back});
   EXPECT_EQ(again.exit_code, 1);
   EXPECT_THAT(again.err, HasSubstr("the store to copy into is not empty"));
-  const auto list = [&](const std::string& store) { return elsewhere.run_alone({"--store", "sqlite:" + store, "datasets", "--json"}).out; };
+  const auto list = [&](const std::string& store) {
+    return elsewhere.run_alone({"--store", "sqlite:" + store, "datasets", "--json"}).out;
+  };
   EXPECT_EQ(list(folder), list(back));
 }
 

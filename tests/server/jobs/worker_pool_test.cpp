@@ -205,7 +205,8 @@ TEST_F(WorkerPoolTest, FliesTheSameBesideASteadyStreamOfPlans) {
 
   ASSERT_TRUE(ended);
   EXPECT_GT(plans, 0U);
-  const auto alone = service::fly_scenario_document({.runs = 3, .seed = 7, .avoidance = false}, 1, {}, {});
+  const auto alone =
+      service::fly_scenario_document({.runs = 3, .seed = 7, .avoidance = false}, core::in_order(), {}, {});
   EXPECT_EQ(JobRepository{db_}.find(batch.id)->result_json, (nlohmann::json{{"scenario", alone}}.dump()));
 }
 

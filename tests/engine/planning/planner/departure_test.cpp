@@ -6,6 +6,7 @@
 #include "engine/planning/plan_window.hpp"
 #include "tests/engine/planning/drifting_bergs.hpp"
 #include "tests/support/backwards.hpp"
+#include "tests/support/done_elsewhere.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
@@ -249,6 +250,40 @@ TEST(CompareDepartures, AreTheSameToTheLastBitOnHoweverManyThreads) {
       EXPECT_EQ(at_once[i].energy, in_order[i].energy) << i;
       EXPECT_EQ(at_once[i].robust_cost, in_order[i].robust_cost) << i;
     }
+  }
+}
+
+/// Law: departures that other processes have searched give the same outcomes, to the last bit of a refusal's text.
+TEST(CompareDepartures, AreTheSameWhenAllOfThemWereSearchedElsewhere) {
+  ocean::Environment environment{.currents =
+                                     currents_from(tide, 44)};  // the data end before the late arrivals
+  environment.members = {environment.currents, turning_stream(-0.2, 0.15)};
+  PlanRequest request = window_request(24.0, 3600.0);
+  for (const RobustObjective objective : {RobustObjective::none, RobustObjective::mean}) {
+    request.uncertainty.objective = objective;
+    support::KeptParts kept;
+    const auto here = compare_departures(environment, request, {}, {}, support::KeepsParts{kept}).value();
+    double share = 0.0;
+
+    const auto elsewhere = compare_departures(
+        environment, request, {}, [&](std::string_view, double done) { share = done; },
+        support::DoneElsewhere{kept});
+
+    ASSERT_TRUE(elsewhere.has_value());
+    EXPECT_DOUBLE_EQ(share, 1.0);
+    std::size_t closed = 0;
+    for (std::size_t i = 0; i < here.size(); ++i) {
+      EXPECT_EQ((*elsewhere)[i].travel_time, here[i].travel_time) << i;
+      EXPECT_EQ((*elsewhere)[i].energy, here[i].energy) << i;
+      EXPECT_EQ((*elsewhere)[i].robust_cost, here[i].robust_cost) << i;
+      ASSERT_EQ((*elsewhere)[i].closed.has_value(), here[i].closed.has_value()) << i;
+      if (!here[i].closed) continue;
+      ++closed;
+      EXPECT_EQ((*elsewhere)[i].closed->explanation(), here[i].closed->explanation()) << i;
+      EXPECT_EQ((*elsewhere)[i].closed->when, here[i].closed->when) << i;
+    }
+    EXPECT_GT(closed, 0U);
+    EXPECT_LT(closed, here.size());
   }
 }
 

@@ -5,6 +5,7 @@
 #include "engine/messages/sentence.hpp"
 #include "engine/planning/plan_route.hpp"
 #include "tests/support/backwards.hpp"
+#include "tests/support/done_elsewhere.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
@@ -254,6 +255,24 @@ TEST(RobustPlan, NamesEveryFaultOfItsRules) {
   request.uncertainty.quantile = 1.0;
 
   EXPECT_EQ(request.violations().size(), 5U) << "members, quantile and the three numbers of the error model";
+}
+
+TEST(RobustPlan, IsTheSameWhenTheMembersWerePlannedElsewhere) {
+  const ocean::Environment environment =
+      ensemble({stream(69.0, -0.1), stream(69.05, 0.15), stream(68.95, 0.1)});
+  PlanRequest request = coarse_request();
+  request.uncertainty.objective = RobustObjective::mean;
+  support::KeptParts kept;
+  const auto here = plan_route(environment, request, {}, {}, {}, support::KeepsParts{kept});
+
+  const auto elsewhere = plan_route(environment, request, {}, {}, {}, support::DoneElsewhere{kept});
+
+  ASSERT_TRUE(here && elsewhere);
+  EXPECT_EQ(kept.size(), 4U) << "three members, and their mean";
+  EXPECT_EQ(elsewhere->arrival, here->arrival);
+  ASSERT_EQ(elsewhere->waypoints.size(), here->waypoints.size());
+  for (std::size_t i = 0; i < here->waypoints.size(); ++i)
+    EXPECT_EQ(elsewhere->waypoints[i].place, here->waypoints[i].place) << i;
 }
 
 }  // namespace
