@@ -13,7 +13,7 @@ using repository::DatasetChoice;
 using repository::EnvironmentQuery;
 
 /// Area around a safe place: large enough for neighbouring nodes of a coarse ice grid, the coast, and
-/// icebergs that may drift to it. How close such icebergs have to be is chosen.
+/// icebergs that may drift to it. The size is a judgement.
 constexpr core::Metres around_place{10'000.0};
 
 /// A query of the area without currents, wind and zones.

@@ -85,7 +85,7 @@ mission::SafePlaceFindings judge_safe_places(sql::Connection& db, const reposito
                                     safe_places_of(db, record, plan, options.under_ice->safe_places));
 }
 
-/// The plan as the mission's yo flies it, in the newest data; empty if that is as planned.
+/// The plan as the mission's yo flies it, in the newest data; empty if the yo flies it as planned.
 mission::YoFlight judge_yo(sql::Connection& db, const repository::PlanRecord& record,
                            const planning::Plan& plan) {
   if (!mission::flies_otherwise(plan, vehicle_of(record, plan))) return {};
@@ -103,7 +103,8 @@ tl::expected<mission::MissionFiles, core::Violations> lists_of(const planning::P
                                                                const mission::MissionSetOptions& options,
                                                                const mission::YoFlight& flight) {
   mission::GotoListOptions of_lists = mission::list_options(plan, options);
-  // The mission on board may surface more rarely than ours, unless the pilot planned its surfacings.
+  // The mission on board may surface more rarely than one that this program writes, unless the plan has a
+  // surfacing interval.
   if (!options.surfacing_interval) of_lists.between_fixes.reset();
   auto lists = mission::write_goto_lists(plan, of_lists);
   if (!lists) return lists;

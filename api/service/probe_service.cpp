@@ -62,7 +62,8 @@ Source choose(const Sources& sources, DatasetKind kind, const ProbeQuery& query)
   return source;
 }
 
-/// The time to read from ice data for `time`. Outside of their period the nearest end is held, as in plans.
+/// The time to read from ice data for `time`. Outside the period of the data this is the nearest end of the
+/// period, as in plans.
 std::optional<core::UtcTime> told_of(const Dataset& ice, core::UtcTime time) {
   if (covers_time(ice, time)) return time;
   const core::UtcTime end = ice.time_end && time > *ice.time_end ? *ice.time_end : *ice.time_start;

@@ -24,8 +24,8 @@ struct RunningJob {
   std::chrono::steady_clock::time_point deadline{};
 };
 
-/// The part of the job system that is not in the store: who waits for which job, and how to stop running
-/// jobs.
+/// The part of the job system that is not in the store: the subscribers of each job, and the means to stop
+/// running jobs.
 /// Threads  every member may be called from several threads at once
 class JobBoard : public routes::JobGateway {
  public:
@@ -64,9 +64,9 @@ class JobBoard : public routes::JobGateway {
   void stop_all();
   /// Wakes all who wait for this job or for any job.
   void announce(const repository::JobId& id);
-  /// Another process has changed a job, `status` as in repository::ChangedJobs. Wakes whom it concerns: workers for a
-  /// waiting job and for parts, and the thread that renews leases for a job that runs here, which may have been
-  /// dismissed.
+  /// Another process has changed a job, `status` as in repository::ChangedJobs. Wakes the threads that this concerns:
+  /// for a waiting job and for parts the workers, and for a job that runs here the thread that renews leases, because
+  /// the job may have been dismissed.
   void take_note(const repository::JobId& id, const std::string& status);
   /// Other processes may have changed any job. Wakes everybody.
   void take_note_of_all();

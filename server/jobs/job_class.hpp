@@ -8,8 +8,8 @@
 namespace floeplan::jobs {
 
 /// The class of a job. Flights, a window of departures and an ensemble of currents are a batch, because each
-/// of their parts may take as long as a plan. If the inputs cannot be read, any class will do: the job fails
-/// at once.
+/// of their parts may take as long as a plan. If the inputs cannot be read, the class does not matter,
+/// because the job fails at once.
 [[nodiscard]] repository::JobClass class_of(const std::string& process, const std::string& inputs_json);
 
 /// Longest duration of a job, by class. The limits only prevent the loss of a worker; they do not restrict

@@ -53,7 +53,7 @@ void note_owner(sql::Connection& db, const repository::JobRecord& job, core::Utc
     repository::Owners{db}.note_made(table, document->at(id).get<std::string>(), now, job.owner);
 }
 
-/// A running job with everything that its process may need.
+/// A running job, with the connection, caches and threads that its process may use.
 struct Work {
   sql::Connection& db;
   const repository::JobRecord& job;

@@ -12,7 +12,7 @@
 namespace floeplan::jobs {
 namespace {
 
-/// A stop is noticed this late.
+/// Longest time from a requested stop until the thread notices it.
 constexpr std::chrono::milliseconds at_most{250};
 
 void watch(sql::Connection& db, JobBoard& board, const std::stop_token& stop) {

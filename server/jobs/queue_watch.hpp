@@ -7,8 +7,9 @@
 
 namespace floeplan::jobs {
 
-/// A thread that hears what other nodes do with the jobs of a shared store, and wakes those who wait for it here.
-/// Its connection marks the store as used by this node. Waking only saves time: nobody relies on being woken, since each who waits looks into the store once a second.
+/// A thread that receives the notices of other nodes about the jobs of a shared store, and wakes the threads
+/// of this node that wait for such a job. Its connection marks the store as used by this node. A lost notice
+/// only costs time, because every waiting thread also looks into the store once a second.
 class QueueWatch {
  public:
   /// `db`     a connection of its own

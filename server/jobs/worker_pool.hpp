@@ -26,31 +26,30 @@ using Lanes = std::set<repository::JobClass>;
 inline const Lanes all_lanes{repository::JobClass::interactive, repository::JobClass::batch,
                              repository::JobClass::ingest};
 
-/// Threads that take jobs from the queue and run them, at lower priority than the rest of the process; and
-/// one thread that renews leases, checks time limits and stores progress.
-/// Classes  each class has its own threads: `workers` for interactive jobs of one owner and one more for
+/// Threads that take jobs from the queue and run them, at lower priority than the rest of the process. One
+/// more thread renews leases, checks time limits and stores progress.
+/// Classes  Each class has its own threads: `workers` for the interactive jobs of one owner and one more for
 ///          other owners, `batches_at_once` for batches, and one for ingestion. So a pilot who plans never
-///          waits for a batch or a large file. A batch that only yielded between its parts would be too slow,
-///          because a flight may take half a minute
-/// Priority batches yield to interactive jobs at any moment by the niceness of their threads, and lose no
-/// work. Beside one busy
-///          interactive thread, a batch thread gets 15/(15+110) = 12 % of their core (the kernel's weights of
-///          niceness 19
-///          and 10, sched_prio_to_weight); without interactive jobs it gets the whole core. So interactive
-///          jobs slow a batch
-///          down at most 8 times if there are no more workers than cores Fairness between owners within each
-///          class, see JobRepository::claim; the kernel shares the cores evenly between
-///          simultaneous batches
-/// A batch of flights, a window of departures and a plan with ensemble members use as many threads as there
-/// are workers; at a shared store one thread for batches that has none of its own does parts of another node's, see
-/// SharedParts. Caches between jobs hold at most 256 MiB of currents and 128 MiB of leg cost models.
-/// Limits   a job that exceeds its class's time limit is stopped and fails, with a message what to do
-/// Start    jobs that a killed process left running can be taken again: at once where one server alone uses the
-///          store, else when their lease has expired, half a minute after the process was killed
+///          waits for a batch or a large file. If batches shared these threads and only yielded between their
+///          parts, a pilot could wait half a minute, the time of one flight
+/// Priority Batch threads have a niceness of 19, so they yield to interactive jobs at any moment and lose no
+///          work. Beside one busy interactive thread, a batch thread gets 15/(15+110) = 12 % of their core:
+///          15 and 110 are the kernel's weights of niceness 19 and 10 (sched_prio_to_weight). Without
+///          interactive jobs it gets the whole core. So interactive jobs make a batch at most 8 times slower,
+///          if there are no more workers than cores
+/// Fairness Between the owners within a class: see JobRepository::claim. The kernel shares the cores evenly
+///          between batches that run at the same time. A batch of flights, a window of departures and a plan
+///          with ensemble members use as many threads as there are workers. At a shared store, a thread for
+///          batches that has no batch of its own does parts of another node's batch, see SharedParts
+/// Memory   Caches between jobs hold at most 256 MiB of currents and 128 MiB of leg cost models
+/// Limits   A job that exceeds the time limit of its class is stopped and fails; its message says what to do
+/// Start    Jobs that a killed process left running can be taken again: at once if only one server uses the
+///          store, otherwise when their lease has expired, half a minute after the process was killed
 /// Stop     stop() or the destructor: running work is stopped and returns to the queue
-/// Errors   exceptions of `open_store` leave the constructor; an exception of a job makes it fail, except
-///          that it goes back to the queue if the store fails temporarily (lock of another process, lost connection; full
-///          disk, except of an ingestion); exceptions of the store while looking for work are logged, and the pool tries again
+/// Errors   Exceptions of `open_store` leave the constructor. An exception of a job makes the job fail, unless
+///          the store fails only for a while (lock of another process, lost connection; or a full disk, except
+///          of an ingestion): then the job goes back to the queue. Exceptions of the store while the pool
+///          looks for work are logged, and the pool tries again
 class WorkerPool {
  public:
   /// Number of batches, of different owners or different processes, that run at the same time.

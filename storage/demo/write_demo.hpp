@@ -31,9 +31,8 @@ enum class Scenario { disko, strait, pack_ice, river, jet };
 /// and GeoJSON files for the command `ingest`, and README.txt, which says what is invented. Files of the same
 /// name are replaced.
 /// Laws     the same scenario, seed and start give the same bytes; river and jet do not depend on the seed;
-///          another
-///          start gives the same values at shifted times, except for the tide of disko, which depends on the
-///          date
+///          another start gives the same values at shifted times, except for the tide of disko, which depends
+///          on the date
 /// Returns  the data files, in the order in which they are best ingested; README.txt is not among them
 /// Errors   std::runtime_error when a file cannot be written, and for disko when the package gmt-gshhg-full
 ///          is missing

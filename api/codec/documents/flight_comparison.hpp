@@ -47,10 +47,12 @@ struct ComparedDive {
   simulation::SegmentComparison compared;
 };
 
-/// Statistics over all dives. Precondition   at least one dive
+/// Statistics over all dives.
+/// Precondition   at least one dive
 [[nodiscard]] simulation::ComparisonSummary summary_of(std::span<const ComparedDive> dives);
 
-/// All dives, logged and simulated, and the medians of their deviations. Precondition   at least one dive
+/// All dives, logged and simulated, and the medians of their deviations.
+/// Precondition   at least one dive
 [[nodiscard]] nlohmann::json comparison_document(std::span<const ComparedDive> dives);
 
 }  // namespace floeplan::codec

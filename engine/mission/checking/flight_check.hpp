@@ -18,11 +18,11 @@ namespace floeplan::mission {
 /// Together  argument files that a mission names and that are missing; arguments that make the vehicle abort
 ///           (a target below `overdepth`, a leg beyond `max_wpt_distance`, a list without a yo or a yo
 ///           without a list)
-/// Sea       every leg from `start` (or the first row) at the times at which the vehicle is on it. Errors for
-///           what endangers the vehicle, warnings for unknowns and missing data; if all is clear, a note with
-///           the times
-/// `request` departure, vehicle and margins. If a yo is among the files, its depths and its use of the thruster
-///           replace the values of the vehicle
+/// Sea       every leg from `start` (or the first row), at the times at which the vehicle is on the leg
+/// Messages  errors for what endangers the vehicle, warnings for unknowns and missing data; if all is clear,
+///           a note with the times
+/// `request` departure, vehicle and margins. If a yo is among the files, its depths and its use of the
+/// thruster replace the values of the vehicle
 void check_flight(std::vector<Document>& documents, const ocean::Environment& environment,
                   std::optional<geo::LonLat> start, planning::PlanRequest request);
 

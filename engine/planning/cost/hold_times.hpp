@@ -99,8 +99,8 @@ struct OpenLegLook {
                                                               TimeSpan within);
 
 /// The last time at which a reopening counts for a route of this length: the end of the currents, but at most
-/// ten days plus the time at the slowest average speed. Without this limit an iceberg that stays would be
-/// waited for without end.
+/// ten days plus the time at the slowest average speed. Without this limit the vehicle would hold for ever at
+/// an iceberg that does not move.
 [[nodiscard]] core::Seconds end_of_looks(const Sea& sea, core::Seconds depart, core::Metres way);
 
 /// Number of closures of a place that end before `time`. The number identifies the interval between closures.

@@ -53,7 +53,7 @@ class PlanningDomain {
   [[nodiscard]] bool currents_known_to_end(geo::PlanePoint point, core::Seconds from) const;
   /// The depths that the vehicle flies.
   [[nodiscard]] const currents::FlownDepths& depths() const { return depths_; }
-  /// Whether nothing here changes with time, so that the hour of travel does not matter.
+  /// Whether nothing in the domain changes with time, so that the time of travel does not matter.
   [[nodiscard]] bool is_steady() const;
 
   /// From now on the time without surfacing has no limit.

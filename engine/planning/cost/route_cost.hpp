@@ -13,8 +13,8 @@ namespace floeplan::planning::cost {
 /// The earliest schedule for a route of straight legs. Every plan is published with this cost, whichever
 /// search found it. If the request allows holds, the vehicle holds until a closure ends, no longer than
 /// needed.
-/// `depart` counts from the departure of the request. `since_surfacing`: time since the last possible
-/// surfacing, then.
+/// `depart` counts from the departure of the request. `since_surfacing`: time from the last possible
+/// surfacing until `depart`.
 [[nodiscard]] tl::expected<Schedule, RouteClosed> schedule_along(
     const Sea& sea, const std::vector<geo::PlanePoint>& route, core::Seconds depart,
     core::Seconds since_surfacing = core::Seconds{0.0});

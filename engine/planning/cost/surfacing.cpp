@@ -162,7 +162,7 @@ class Log {
     return look.carried - fix.look.carried - fix.assumed * (look.at.time - fix.look.at.time);
   }
 
-  /// The fix at `look`. It tells the vehicle the mean current since the fix before.
+  /// The fix at `look`. From it the vehicle computes the mean current since the fix before.
   [[nodiscard]] static Fix next_fix(const Fix& before, const Look& look) {
     const core::Seconds under_water = look.at.time - before.look.at.time;
     if (under_water.count() <= 0.0) return {look, before.assumed};

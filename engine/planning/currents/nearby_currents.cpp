@@ -258,7 +258,7 @@ std::optional<motion::NearbyCurrent> NearbyCurrents::on_film(geo::PlanePoint poi
   const auto when = times.locate(time.count());
   if (!when) return std::nullopt;
 
-  // Time steps as on the film: `slice` lies at the step's beginning, `next` at its end.
+  // Time steps in the direction of the search: it enters a step at `slice` and leaves it at `next`.
   const bool forwards = film == Film::forwards;
   const std::size_t first = forwards ? when->cell : when->cell + 1;
   const std::size_t end = forwards ? times.size() - 1 : 0;

@@ -29,8 +29,8 @@ class NearbyCurrents {
     forwards,
     backwards  // time-reversed: the clock shows -t, and currents are reversed
   };
-  /// The current around a point from `time` on, forwards or reversed. Empty where it is unknown.
-  /// Precondition: `is_useful()`.
+  /// The current around a point from `time` on; in a time-reversed search, with the time and the current
+  /// reversed. Empty where it is unknown. Precondition: `is_useful()`.
   [[nodiscard]] std::optional<motion::NearbyCurrent> on_film(geo::PlanePoint point, core::Seconds time,
                                                              Film film);
 

@@ -28,8 +28,8 @@ class UpperTurns;
 /// axes of the plane. A steady saw-tooth spends the same time at every depth of its band, so the mean over
 /// depth is the mean over time.
 /// Depths   each column of the data is averaged over the band that is flown at the place asked for, not at
-///          the column's own place. So a bank inside a cell of the data changes the field. Where the bands
-///          differ, cells are divided by `cut_cells`; in between, linear
+///          the column's own place. So a bank inside a cell of the data changes the current there. Where the
+///          bands differ, cells are divided by `cut_cells`; in between, linear
 /// Ice      under ice through which the vehicle may not surface, the band begins at the upper turn needed
 ///          there at that time, taken at the nearest node of the data; in steady currents at `epoch`
 ///          Interpolation as the data: bilinear between nodes, linear between times

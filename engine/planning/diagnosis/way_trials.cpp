@@ -41,8 +41,8 @@ struct TowardsEarliestWay {
   [[nodiscard]] core::Seconds latest_use(graph::Vertex v) const { return foresight.latest_use(v); }
 };
 
-/// Guided by the approximate remaining time: the search goes almost straight to some route, not to the earliest one,
-/// because the remaining time depends on the hour. With little time left it may miss a route.
+/// Guided by the approximate remaining time. The search quickly finds some route, but not the earliest one,
+/// because the remaining time depends on the time of day. If little time is left, it may miss a route.
 struct TowardsAnyWay : TowardsEarliestWay {
   [[nodiscard]] core::Seconds remaining(graph::Vertex v) const { return arrive - latest_use(v); }
 };

@@ -25,7 +25,7 @@ std::optional<Change> move_that_helps(const ocean::Environment& environment, con
     const auto& wanted = request.departures.arrive_by;
     return plan && (!wanted || plan->arrival <= *wanted);
   };
-  // A goal that is not even half of the way to the one asked for is no help. A judgement.
+  // Another goal helps only if it leads at least half of the way to the requested goal. A judgement.
   const auto leads_on = [&](geo::LonLat goal) {
     const geo::LonLat before = request.via.empty() ? request.from : request.via.back();
     const auto to_goal_m = [&](geo::LonLat place) {

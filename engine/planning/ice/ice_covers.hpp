@@ -11,7 +11,7 @@
 namespace floeplan::planning::ice {
 
 /// The sea ice of all products in an environment.
-/// Choice   One product answers for each place and time: the first that covers both; otherwise the one with
+/// Choice   One product is used for each place and time: the first that covers both; otherwise the one with
 ///          the nearest step that counts for the time; otherwise the one with the nearest step that is held
 ///          for it (ocean::IceStanding). Within a product, data of the place itself come before data extended
 ///          from a neighbour

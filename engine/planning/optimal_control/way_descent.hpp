@@ -28,7 +28,7 @@ struct WayDescent {
 [[nodiscard]] WayDescent descend_with_legs(const TimedWay& start, std::size_t legs, const LegTimer& leg_timer,
                                            const std::stop_token& stop = {});
 
-/// A rough descent that provides the start for a descent with more legs. The route is divided once. The
+/// A rough descent. Its result is the first route of a descent with more legs. The route is divided once. The
 /// descent ends when the quadratic model predicts a gain of less than 1e-4 of the duration.
 [[nodiscard]] WayDescent descend_roughly(const TimedWay& start, std::size_t legs, const LegTimer& leg_timer,
                                          const std::stop_token& stop = {});

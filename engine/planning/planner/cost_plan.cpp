@@ -237,7 +237,7 @@ Result<Plan> publish_straight_way(const search::Chart& chart, const ocean::Envir
 
 Result<Plan> search_least_cost_plan(const KnownPlan& known, const Task& task) {
   const auto& [environment, request, stop, progress, wider, executor, of_use] = task;
-  // Searches for the least cost do not hold; only the fastest plans do.
+  // A search for the least cost plans no holds; only a search for the fastest plan does.
   PlanRequest on_the_move = request;
   on_the_move.holds.longest = core::Seconds{0.0};
   const Objective objective = request.objective();

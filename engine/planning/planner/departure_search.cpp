@@ -34,7 +34,7 @@ struct Ground {
 /// Errors   as draw_chart
 Result<Ground> lay_out(const ocean::Environment& environment, const PlanRequest& request,
                        cost::GridReach reach, const std::stop_token& stop) {
-  // Searches for the least cost do not hold; only fastest routes do.
+  // A search for the least cost plans no holds; only a search for the fastest route does.
   PlanRequest drawn = request;
   if (!request.energy.objective.is_time()) drawn.holds.longest = core::Seconds{0.0};
   auto chart = search::draw_chart(environment, drawn, reach, stop);

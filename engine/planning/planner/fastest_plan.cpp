@@ -26,8 +26,8 @@ struct Attempt {
   bool wider_may_help{false};
 };
 
-/// Largest possible gain that is told, as a share of the travel time. A looser bound would only frighten: it follows from
-/// what the search had not looked at, not from a better route. The value is a judgement.
+/// Largest possible gain that a message states, as a share of the travel time. A larger bound would only say
+/// that the search left out much of the grid, not that a better route is likely. The value is a judgement.
 constexpr double most_telling_gain = 0.1;
 
 /// The message for a plan whose search was cut short.

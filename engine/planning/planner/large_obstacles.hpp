@@ -32,7 +32,7 @@ struct LargeObstacle {
   geo::PlanePoint farthest;              // centre of its cell farthest from the route
   core::Metres extent;                   // longer side of its bounding box, in metres of the plane
   core::Metres from_route;               // distance of `nearest`, in metres of the plane
-  /// Whether a vehicle may pass through it: it has several parts, or it drifts.
+  /// Whether a vehicle may pass through the obstacle, because it has several parts or drifts.
   bool is_loose{false};
 };
 

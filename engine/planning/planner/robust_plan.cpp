@@ -33,7 +33,8 @@ std::vector<geo::LonLat> places_of(const Plan& plan) {
   return places;
 }
 
-/// The legs of the plan and the propulsion of each. The vehicle uses them whichever currents come true.
+/// The legs of the plan and the propulsion of each. The vehicle uses the same legs and propulsion in every
+/// member.
 cost::DrivenRoute route_of(const Plan& plan, const geo::LocalProjection& projection) {
   cost::DrivenRoute route;
   for (const Waypoint& waypoint : plan.waypoints) {

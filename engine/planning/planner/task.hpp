@@ -23,7 +23,7 @@ struct Task {
   const core::ProgressCallback& progress;  // never empty
   const WiderSea& wider;                   // loads data of a larger area; empty: no further data
   const core::Executor& executor{core::in_order()};
-  /// Travel times on a grid beyond this are not wanted, because a better plan is known.
+  /// A search may leave out routes with longer travel times on the grid, because a better plan is known.
   core::Seconds of_use{INFINITY};
 
   /// A copy for another request.

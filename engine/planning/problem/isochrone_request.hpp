@@ -14,7 +14,7 @@
 
 namespace floeplan::planning {
 
-/// The question where the vehicle can be after given times, or from where it can still arrive.
+/// A request for isochrones: where the vehicle can be after given times, or from where it can still arrive.
 struct IsochroneRequest {
   enum class Direction {
     from,  // the vehicle leaves `place` at `time`

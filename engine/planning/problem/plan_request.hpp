@@ -31,7 +31,7 @@ enum class Method {
 [[nodiscard]] std::string method_name(Method method);
 [[nodiscard]] std::optional<Method> parse_method(std::string_view name);
 
-/// A pilot hardly compares more.
+/// Largest number of alternatives: a pilot hardly compares more. A judgement.
 inline constexpr int most_alternatives = 3;
 
 /// What to plan. The data (currents, depths, ice) are in the environment.

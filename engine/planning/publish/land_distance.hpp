@@ -18,8 +18,9 @@ namespace floeplan::planning::publish {
                                                          const std::vector<geo::PlanePoint>& route);
 
 /// Warns of the place where the route passes nearest to land among those that are closer to it than the position error.
-/// Rule    the error grows as grown_error says, from zero at the start, for one dive to the planned depth or for the
-///         requested time between surfacings; where the plan knows of a larger error at the end of the leg, that one counts
+/// Rule    the error grows as grown_error says, from zero at the start, for one dive to the planned depth or
+///         for the requested time between surfacings; if the plan states a larger error at the end of the
+///         leg, the larger one counts
 /// `plan`  with its waypoints and surfacings
 [[nodiscard]] std::optional<messages::Message> land_warning(const Plan& plan, const cost::Sea& sea,
                                                             const ocean::Environment& environment,

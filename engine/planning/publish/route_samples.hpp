@@ -9,8 +9,9 @@
 
 namespace floeplan::planning::publish {
 
-/// Calls `visit(leg, share, point)` at both ends of every leg and between them: the leg that leads to this point of the
-/// route, and the share of it that lies behind. The start belongs to leg 0.
+/// Calls `visit(leg, share, point)` at both ends of every leg and between them: the leg that leads to this
+/// point of the route, and the share of this leg that the vehicle has covered there. The start belongs to leg
+/// 0.
 template <class Visit>
 void for_each_sample(const std::vector<geo::PlanePoint>& route, Visit&& visit) {
   constexpr double step_m = 250.0;  // about the cells of the finest bathymetry in use

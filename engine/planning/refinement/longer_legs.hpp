@@ -10,8 +10,8 @@
 
 namespace floeplan::planning::refinement {
 
-/// Legs too short to be worth steering, the shortest first, by the index of their first point. A leg is short below 3
-/// km or a fifth of the distance between the fixed points around it, whichever is less.
+/// Legs that are too short for a pilot to steer, the shortest first, by the index of their first point. A leg
+/// is short below 3 km or a fifth of the distance between the fixed points around it, whichever is less.
 /// Source  a judgement
 [[nodiscard]] std::vector<std::size_t> short_legs(const cost::Route& route);
 

@@ -33,7 +33,8 @@ void minimise(const SmoothFunction& function, std::size_t dimension, double rela
   double value{};
   try {
     method.optimize(x, value);
-    // NOLINTNEXTLINE(bugprone-empty-catch): the line search found no way on, and the best point was seen before
+    // NOLINTNEXTLINE(bugprone-empty-catch): the line search found no better point, and the best one is stored
+    // already
   } catch (const std::runtime_error&) {
   }
 }

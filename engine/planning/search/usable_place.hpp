@@ -7,7 +7,7 @@
 
 namespace floeplan::planning::search {
 
-/// A usable place farther away is another mission. A judgement.
+/// Usable places farther away are not looked for: a route from there would be another mission. A judgement.
 inline constexpr core::Metres farthest_usable_place{100'000.0};
 
 /// The nearest usable place at the departure, in rings of the safety map's cells around an unusable one: the centre

@@ -6,7 +6,7 @@
 namespace floeplan::ingest {
 namespace {
 
-constexpr std::size_t most_faults = 50;  // as many as a person reads in a report
+constexpr std::size_t most_faults = 50;  // a person hardly reads more in a report
 
 }  // namespace
 

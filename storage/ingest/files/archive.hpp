@@ -22,11 +22,11 @@ struct Unpacked {
 
 /// Unpacks an archive into `folder`, under the names in the archive. A single compressed file gets its own
 /// name without the ending. Checksums are compared where the format has them.
-/// `is_data`  called for files with the ending of a document: whether the file holds data nevertheless
-/// Errors   the archive is damaged, cut short or has a password; a name leads out of the folder or occurs
-///          twice; an entry
-///          is a link; there are more than 100,000 entries or more than `most_unpacked_bytes`. Then nothing
-///          is read.
+/// `is_data`  is called for files with the ending of a document, and says whether such a file holds data all
+///            the same
+/// Errors     the archive is damaged, cut short or has a password; a name leads out of the folder or occurs
+///            twice; an entry is a link; there are more than 100,000 entries or more than
+///            `most_unpacked_bytes`. Then nothing is read
 [[nodiscard]] Checked<Unpacked> unpack(const std::filesystem::path& archive,
                                        const std::filesystem::path& folder,
                                        const std::function<bool(const std::filesystem::path&)>& is_data);

@@ -23,7 +23,7 @@ Checked<std::optional<BentPlane>> bent_plane_of(const std::shared_ptr<const Netc
   if (!water) return refuse(water.error());
   auto own = own_points_of(std::move((*positions)->places), (*positions)->columns);
   if (!own) return refuse(own.error());
-  // Many cells lie over one another only where the tables are damaged.
+  // Many cells overlap only if the tables of positions are damaged.
   if (!ocean::MeshSampling::of(own->kept.mesh, own->grid))
     return refuse(messages::ingest_grid_message<"cells-overlap">());
   return BentPlane{std::move(*layout), std::move(*own), std::move(*water)};

@@ -92,8 +92,8 @@ class Listening {
     return false;
   }
 
-  // Each overload returns whether the event is possible now. No event may come before the process is
-  // confined.
+  // Each overload returns whether this event is allowed at this point. No event is allowed before the process
+  // has confined itself.
   bool take(const Confined& confined) {
     if (told_.layers) return false;
     told_.layers = confined.layers;

@@ -21,7 +21,8 @@ struct JobId {
 enum class JobStatus { accepted, running, successful, failed, dismissed };
 
 [[nodiscard]] std::string status_name(JobStatus status);
-/// The status with this name. Errors   std::runtime_error for another name
+/// The status with this name.
+/// Errors   std::runtime_error for another name
 [[nodiscard]] JobStatus parse_status(const std::string& name);
 
 /// The class of a job: how urgent it is, and which workers take it. Workers for all classes take the first
@@ -33,7 +34,8 @@ enum class JobClass {
 };
 
 [[nodiscard]] std::string class_name(JobClass job_class);
-/// The class with this name. Errors   std::runtime_error for another name
+/// The class with this name.
+/// Errors   std::runtime_error for another name
 [[nodiscard]] JobClass parse_class(const std::string& name);
 
 /// A job in the store.

@@ -11,11 +11,10 @@
 namespace floeplan::planning::search {
 
 /// Lower bounds of travel times on a grid, computed without a time-dependent search: the remaining time to
-/// the goal if every edge takes its shortest possible time. They pay where many departures are searched on
-/// one grid.
+/// the goal if every edge takes its shortest possible time. They are worth their cost if many departures are
+/// searched on one grid.
 /// Satisfies  graph::TravelTimeBound, with one difference: `remaining` is consistent with the true times of
 ///            edges, not with the shorter times of `least_time`
-/// Threads    const members may be called from several threads at once
 /// Threads    const members may be called from several threads at once
 class FavourableBound {
  public:

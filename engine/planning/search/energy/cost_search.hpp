@@ -22,7 +22,7 @@ struct CostWay {
   bool touches_rim{false};  // the route follows the rim of a grid, so a better one may lie outside
 };
 
-/// What searches for the least cost know about one grid; kept between departures to save work.
+/// Results about one grid that searches for the least cost share; kept between departures to save work.
 /// Threads  one at a time
 class CostGuide {
  public:

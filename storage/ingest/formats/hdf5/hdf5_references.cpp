@@ -42,10 +42,10 @@ bool objects_fit(std::string_view heap) {
   return true;
 }
 
-/// Whether the heaps of an HDF5 file, which hold texts and lists of varying length, are consistent. HDF5 1.10
-/// copies as many bytes as an object claims, even from beyond its heap, and crashes. Accuracy only heaps in
-/// the first 64 MB are checked, where nearly all files have theirs; checking more takes longer than
-///          reading the values
+/// Whether the heaps of an HDF5 file are consistent. They hold texts and lists of varying length. HDF5 1.10
+/// copies as many bytes as an object claims, even from beyond its heap, and crashes.
+/// Accuracy only heaps in the first 64 MB are checked, where nearly all files have theirs; checking more
+/// takes longer than reading the values
 /// Source   HDF5 file format specification 3.0, section III.E, "Disk Format: Level 1E - Global Heap"
 bool hdf5_heaps_are_whole(const std::filesystem::path& file) {
   const std::string bytes = first_bytes(file, looked_at);

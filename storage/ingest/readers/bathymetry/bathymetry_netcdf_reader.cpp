@@ -56,8 +56,8 @@ bool is_extreme(Statistic statistic) {
   return statistic == Statistic::minimum || statistic == Statistic::maximum;
 }
 
-/// Metres at all points, in the order in which they are kept. What cannot be on Earth is left out: it would be mixed with
-/// its neighbours.
+/// The depths of all points in metres, in the order in which they are kept. Values that are impossible on
+/// Earth are left out, because interpolation would mix them with their neighbours.
 Checked<RawRows> rows_of_bent(const NetcdfVariable& variable, const BentPlane& plane, double factor) {
   constexpr double deepest_m = 12'000.0;
   constexpr double customary_mark = 9999.0;

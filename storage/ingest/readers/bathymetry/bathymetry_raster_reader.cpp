@@ -252,9 +252,9 @@ Checked<PlacedRaster> placed_on_axes(GDALDataset& dataset, const RasterTransform
                       {frame, ocean::Axis{std::move(x->nodes)}, ocean::Axis{std::move(y->nodes)}}};
 }
 
-/// In a projection that the store has no grid for, or rotated: every pixel is kept at the place of its centre, and plans
-/// interpolate between these places. A model on a bent grid is stored in the same way, so nothing has to know the projection
-/// once the file is read.
+/// In a projection that the store has no grid for, or rotated: every pixel is kept at the place of its
+/// centre, and plans interpolate between these places. A model on a bent grid is stored in the same way, so
+/// the projection is not needed once the file is read.
 Checked<PlacedRaster> placed_by_themselves(GDALDataset& dataset, const RasterTransform& t,
                                            const OGRSpatialReference& crs) {
   if (is_larger_than(dataset, max_own_places))

@@ -80,7 +80,8 @@ struct Layer {
 
 bool is_depth(int surface_type) { return surface_type == depth_surface || surface_type == sea_surface; }
 
-/// The layer of a field. Errors  a surface that is not a depth
+/// The layer of a field.
+/// Errors   a surface that is not a depth
 Checked<Layer> layer_of(const GribField& field) {
   if (!is_depth(field.surface_type))
     return refuse(messages::ingest_grib_message<"grib-surface-not-a-depth">(field.surface_type));

@@ -40,7 +40,8 @@ struct IceUnit {
 /// Metres per unit of a thickness. Without a unit it is metres, with a warning.
 [[nodiscard]] Checked<IceUnit> unit_of_thickness(const NetcdfVariable& variable, Messages& warnings);
 
-/// Refuses a thickness that no sea ice has. Errors   thicker than 50 m
+/// Refuses a thickness that no sea ice has.
+/// Errors   thicker than 50 m
 [[nodiscard]] Checked<bool> check_thickness(const NetcdfVariable& variable, const IceUnit& unit,
                                             const Found& found);
 

@@ -45,7 +45,8 @@ class StationRows {
 /// Metres per unit; empty if it is not a unit of length.
 [[nodiscard]] std::optional<double> metres_of(const std::string& unit);
 
-/// The dataset of the stations. Errors   no station, or one without constants
+/// The dataset of the stations.
+/// Errors   no station, or one without constants
 [[nodiscard]] Checked<PreparedDataset> prepared_stations(std::vector<repository::TideStation> stations,
                                                          Messages warnings);
 

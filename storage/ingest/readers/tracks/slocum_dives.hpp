@@ -13,14 +13,12 @@ namespace floeplan::ingest {
 /// Finds the dives of a Slocum, with their positions and currents, in the rows of its logs, segment after
 /// segment.
 /// Places   fixes, or else the vehicle's own dead reckoning, which jumps where a fix corrects it. Positions
-///          reckoned before the first fix may be those where it was switched off; they are ignored if no
-///          glider could have reached the fix from there
-/// Currents the vehicle estimates the current of a dive after it has surfaced: first m_initial_water, then,
-/// after the drift
-///          at the surface and in the next segment, m_final_water. A value that changes between this dive and
-///          the next is
-///          this dive's current; m_final_water is preferred. m_water, known while diving, is from an earlier
-///          dive
+///          reckoned before the first fix may be those where the vehicle was switched off; they are ignored
+///          if no glider could have reached the fix from there
+/// Currents After it has surfaced, the vehicle estimates the current of the dive: first m_initial_water,
+/// then, after its drift at the surface and in the next segment, m_final_water. A value that changes between
+/// this dive and the next is the current of this dive; m_final_water is preferred. m_water, which is known
+/// while diving, is the current of an earlier dive
 /// Frame    logged along the vehicle's own axes; added to the track towards true east and north, by the axes'
 ///          convergence at the dive. If the axes are unknown (see ocean::LoggedAxes) the currents are
 ///          ignored, with a warning
