@@ -12,8 +12,8 @@ namespace {
 namespace fs = std::filesystem;
 using Names = std::set<std::string>;
 
-/// What a folder may include besides itself: folders with everything that they use, and single headers, or
-/// the headers of a folder without what that folder uses.
+/// The headers that a folder may include besides its own: those of whole folders with everything that these
+/// use; single headers; or the headers of a folder without what that folder uses.
 struct Folder {
   Names uses;
   Names headers{};

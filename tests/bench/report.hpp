@@ -9,7 +9,7 @@ namespace floeplan::bench {
 
 /// How `ours` is made comparable with an earlier release, perhaps measured on another machine.
 enum class Gauge {
-  nothing,     // not compared: varies by itself, or with the number of cores
+  nothing,     // not compared: the value varies from run to run, or with the number of cores
   comparator,  // by the ratio to the comparator, which is foreign code or the calibration loop
   time,        // a time, relative to the calibration loop that ran before and after its group
   rate,        // work per unit of time, relative to the same loop

@@ -46,7 +46,7 @@ ordered_json& members_of(ordered_json& schema) {
   throw std::out_of_range{"a schema has no members"};
 }
 
-/// The members beside which the field stands in its schema.
+/// The members of the schema among which the field stands.
 ordered_json& home_of(const Field& field, const Schema& schema, ordered_json& document) {
   ordered_json* home = &members_of(document["components"]["schemas"][schema.name]);
   for (const std::string& part : parts_of(field.object))
@@ -135,7 +135,7 @@ ordered_json schema_of(const Field& field, const ordered_json& present) {
   return schema;
 }
 
-/// How many of the request's units make one of a form's.
+/// The number of units of the request in one unit of the form.
 double factor_of(const Form& form) {
   static const std::map<std::string_view, double> factors{{"h", 3600.0}, {"%", 0.01}, {"% ice", 0.01},
                                                           {"km", 1e3},   {"kJ", 1e3}, {"MJ", 1e6}};
@@ -161,7 +161,7 @@ const char* name_of(Kind kind) {
   return "";
 }
 
-/// "under_ice.escape_plan": as the set-up of the client names its fields.
+/// The name of a field in the set-up of the client: "under_ice.escape_plan".
 std::string name_in_client(const Field& field) {
   return field.object.empty() ? std::string{field.name}
                               : std::string{field.object}.append(".").append(field.name);
@@ -241,7 +241,7 @@ std::string client_source() {
   ordered_json all = ordered_json::object();
   for (const Field& field : fields_of(Process::plan_route))
     all[name_in_client(field)] = told_to_client(field);
-  // A vehicle's build has many fields: only those that forms ask for are added here.
+  // A vehicle has many fields; only those in forms are added here.
   for (const Field& field : fields_of_vehicle())
     if (field.object == "vehicle" && !field.form.label.empty() && !all.contains(std::string{field.name}))
       all[name_in_client(field)] = told_to_client(field);

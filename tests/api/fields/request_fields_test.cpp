@@ -95,7 +95,7 @@ TEST(RequestFields, NameMethodsAsPlansDo) {
   }
 }
 
-/// Law: a member is what it was set to.
+/// Law: a member that was set through its row has this value.
 template <class Values>
 void keeps_what_is_set(const Table<Values>& table) {
   for (const Bound<Values>& row : table) {
@@ -150,14 +150,14 @@ TEST(RequestFields, KeepWhatIsSet) {
   keeps_what_is_set(thruster_fields());
 }
 
-/// The fields that the engine itself finds wrong.
+/// The fields whose values the engine itself refuses.
 std::vector<std::string> faults_of(const auto& values) {
   std::vector<std::string> fields;
   for (const core::Violation& violation : values.violations()) fields.push_back(violation.field);
   return fields;
 }
 
-/// Law: the engine takes what a request may say, and no more.
+/// Law: the engine accepts exactly the values that a request may have.
 template <class Values>
 void engine_agrees(const Table<Values>& table) {
   constexpr double infinite = std::numeric_limits<double>::infinity();

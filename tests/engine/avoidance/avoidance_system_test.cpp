@@ -103,7 +103,7 @@ TEST(AvoidanceSystem, ReturnsToTheMissionWhenTheRouteIsClear) {
   (void)towards_wall(*system, 180.0, 20, true);
   ASSERT_EQ(system->mode(), Mode::path);
 
-  // Seen no more for longer than it is remembered.
+  // A time after which an object that is no longer seen is forgotten.
   const double forgotten_s =
       20.0 + AvoidanceSettings{}.forget.count() + AvoidanceSettings{}.settled.count() + 5.0;
   Guidance guided;
@@ -118,7 +118,7 @@ TEST(AvoidanceSystem, GivesUpWithAReasonAndStaysSo) {
   settings.give_up = core::Seconds{120.0};
   const auto system = system_to({1000.0, 0.0}, settings);
   Guidance guided;
-  for (int second = 0; second < 200; ++second) {  // the wall keeps its distance: the vehicle comes nowhere
+  for (int second = 0; second < 200; ++second) {  // the vehicle makes no progress
     Sensed sensed{.own = own_at(second, {0.0, 0.0})};
     sensed.own.through_water = core::MetresPerSecond{0.0};
     const auto returns = wall_ahead(60.0, -190.0, 190.0);
@@ -163,8 +163,8 @@ TEST(AvoidanceSystem, ReportsObjectsInTheFlightsPlane) {
   EXPECT_NEAR(objects[0].drift.east.value, 0.0, 0.1);
 }
 
-/// Law: the same input gives the same answers, and none of them is without a finite heading or off its scale, whatever
-/// the sensors say.
+/// Law: the same input gives the same answers, and every answer has a finite heading within its range,
+/// whatever the sensors measure.
 TEST(AvoidanceSystem, HoldsAgainstSensorsThatTellNonsense) {
   support::for_each_seed(10, [](std::mt19937_64& rng) {
     const auto system = system_to({1000.0, 0.0});

@@ -44,7 +44,7 @@ TEST(CollisionWatch, OverlooksGuesses) {
   EXPECT_FALSE(first_contact(way, std::array{guess}, 10.0));
 }
 
-/// Law: against many small steps.
+/// Law: the result agrees with a test in many small steps.
 TEST(CollisionWatch, AgreesWithSmallStepsAlongTheWay) {
   support::for_each_seed(200, [](std::mt19937_64& rng) {
     const auto any = [&] { return support::uniform(rng, -100.0, 100.0); };

@@ -66,7 +66,8 @@ TEST(CurrentEstimate, LeavesOutWhatCannotBeAMeasurement) {
   EXPECT_EQ(estimate.at({}, core::Metres{10.0}, at_s(0.0)).velocity.east.value, 0.0);
 }
 
-/// Law: drawn from the process that the filter assumes, the errors are as large as it says.
+/// Law: if the current follows the process that the filter assumes, the errors are as large as the filter
+/// states.
 TEST(CurrentEstimate, StatesItsOwnErrorTruly) {
   const CarriedForecast forecast{geo::VelocityEn{}};
   double squares = 0.0;

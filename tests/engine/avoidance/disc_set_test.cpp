@@ -44,7 +44,7 @@ std::optional<double> slowly(const std::vector<Obstacle>& field, const LookAhead
   return first;
 }
 
-/// Law: what is passed over by the group, or left out because it is out of reach, touches nobody.
+/// Law: obstacles that the set skips, as a group or because they are out of reach, do not touch the vehicle.
 TEST(DiscSet, FindsTheTouchThatEachObstacleByItselfWouldTell) {
   support::for_each_seed(100, [](std::mt19937_64& rng) {
     std::vector<Obstacle> field = any_field(rng);

@@ -77,7 +77,7 @@ TEST(Echo, MayComeFromAnywhereWithinTheHeightOfItsBeam) {
   EXPECT_NEAR(down.deepest_m, 120.0, 1e-9);
 }
 
-/// A fix that corrects the place by a kilometre moves nothing in the frame of the water.
+/// A fix that corrects the position by a kilometre does not move objects in the frame of the water.
 TEST(WaterFrame, KeepsWhatWasSeenWhereItWasWhenAFixComes) {
   WaterFrame water;
   OwnState own;

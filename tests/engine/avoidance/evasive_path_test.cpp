@@ -37,7 +37,7 @@ TEST(EvasivePath, IsStraightWhereNothingIsInTheWay) {
   EXPECT_NEAR(path.way.points()[1].time_s, 10.0 + std::hypot(400.0, 100.0) / 0.35, 1e-6);
 }
 
-/// Against the shortest way round a disc: two tangents and the arc between.
+/// Compared with the shortest path round a disc: two tangents and the arc between them.
 TEST(EvasivePath, GoesRoundADiscByLittleMoreThanTheShortestWay) {
   constexpr double radius_m = 60.0;
   const AvoidanceSettings settings;
@@ -50,7 +50,8 @@ TEST(EvasivePath, GoesRoundADiscByLittleMoreThanTheShortestWay) {
   EXPECT_LE(length_m(path.way), 1.06 * shortest);
 }
 
-/// Law: at the times that it states it touches nothing, swims as fast as the vehicle does, and ends at the goal.
+/// Law: at its own times the path touches no obstacle, needs no more than the speed of the vehicle, and ends
+/// at the goal.
 TEST(EvasivePath, TouchesNothingAtTheTimesItStates) {
   int found = 0;
   support::for_each_seed(60, [&](std::mt19937_64& rng) {
@@ -102,7 +103,7 @@ TEST(EvasivePath, SaysWhenItsBudgetIsSpent) {
   const EvasivePath path = plan({{0.0, 0.0}, 0.0, 0.35, {}}, {400.0, 0.0}, wall, settings);
   EXPECT_TRUE(path.out_of_budget);
   EXPECT_TRUE(path.way.empty());
-  // Looked at every so often, as all searches of the planner look at their stop.
+  // The stop is checked after this many expansions, as in all searches of the planner.
   EXPECT_LE(path.expansions, 1024);
 }
 

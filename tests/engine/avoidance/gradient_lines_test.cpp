@@ -29,8 +29,8 @@ Shape arc(double radius_m, double from_deg, double to_deg) {
   return shape;
 }
 
-/// A vehicle that turns at once swims from a place to the goal by the courses commanded alone.
-/// Returns  the way it took, m; infinite when it is not there after ten times the straight way
+/// The length of the path from a place to the goal, in metres, of a vehicle that follows the commanded
+/// courses and turns without delay. Infinite if it has not arrived after ten times the straight distance.
 double way_m(const Shape& shape, geo::PlanePoint from, geo::PlanePoint goal, double clearance_m) {
   GradientLines lines{AvoidanceSettings{}};
   constexpr double speed = 0.35;

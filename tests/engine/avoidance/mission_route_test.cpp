@@ -38,7 +38,7 @@ TEST(MissionRoute, CountsWaypointsWithinReachAndNeverBack) {
   EXPECT_TRUE(route.is_done());
 }
 
-/// In the water a vehicle that crabs against a cross current swims straight, upstream of its course.
+/// A vehicle that crabs against a cross current moves straight through the water, upstream of its course.
 TEST(MissionRoute, WayInTheWaterIsAsLongAsTheVehicleSwims) {
   MissionRoute route = route_east();
   WaterFrame water;

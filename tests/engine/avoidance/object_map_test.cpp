@@ -65,7 +65,7 @@ TEST(ObjectMap, MakesOneObjectOfOneBody) {
   EXPECT_NEAR((*map)[0].keel_m(), 25.0, 1.0);
 }
 
-/// The top of a scarp looks like ice that reaches down to where the scarp counts as sea bed.
+/// The top of a scarp looks like ice that reaches down to the part of the scarp that counts as sea bed.
 TEST(ObjectMap, LooksBelowNothingThatStandsOnTheSeaBed) {
   auto rng = core::random_stream(1, "map");
   const auto map = map_after(60.0, Berg{}, rng);
@@ -118,7 +118,7 @@ TEST(ObjectMap, KnowsLessOfWhatItNoLongerSees) {
   EXPECT_EQ(map->size(), 0U);
 }
 
-/// More bodies than there is room for: the map stays bounded and holds those seen last.
+/// More bodies than the map can hold: it keeps its size and the bodies seen last.
 TEST(ObjectMap, LetsTheOldestGiveWayWhenItIsFull) {
   const auto map = std::make_unique<ObjectMap>(AvoidanceSettings{});
   OwnState own;

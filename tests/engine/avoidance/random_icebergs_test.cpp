@@ -19,8 +19,8 @@ using support::Flight;
 using support::FlightResult;
 using support::random_icebergs;
 
-/// FLOEPLAN_ICEBERG_FIELDS asks for more than the few that every run of the tests flies, FLOEPLAN_ICEBERG_SEED for
-/// other ones than from 1.
+/// FLOEPLAN_ICEBERG_FIELDS sets the number of fields, usually a few; FLOEPLAN_ICEBERG_SEED sets the first
+/// seed, usually 1.
 std::uint64_t asked(const char* name, std::uint64_t otherwise) {
   const char* const text = std::getenv(name);
   return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
@@ -28,7 +28,7 @@ std::uint64_t asked(const char* name, std::uint64_t otherwise) {
 std::uint64_t fields() { return asked("FLOEPLAN_ICEBERG_FIELDS", 8); }
 std::uint64_t first_seed() { return asked("FLOEPLAN_ICEBERG_SEED", 1); }
 
-/// Fewer say nothing of a share of them.
+/// With fewer fields a share has no meaning.
 constexpr std::uint64_t telling_fields = 200;
 
 std::string told(std::uint64_t seed, const FlightResult& result) {
@@ -37,7 +37,7 @@ std::string told(std::uint64_t seed, const FlightResult& result) {
          std::string{text(result.reason)};
 }
 
-/// Whether the vehicle would have come there in the same water without a berg.
+/// Whether the vehicle would have arrived in the same water without icebergs.
 bool arrives_in_empty_sea(Flight flight) {
   flight.sea.bodies.clear();
   flight.avoids = false;

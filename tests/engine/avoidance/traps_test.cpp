@@ -7,8 +7,8 @@
 #include "engine/avoidance/guidance.hpp"
 #include "tests/engine/avoidance/light/voyage.hpp"
 
-/// Situations made by hand in which a simpler system is lost. Each is flown with path planning and by reactive control
-/// alone, with several seeds of the sensors' noise.
+/// Situations made by hand in which a simpler system fails. Each is flown with path planning and by reactive
+/// control alone, with several seeds of the sensors' noise.
 namespace floeplan::avoidance::traps_test {
 namespace {
 
@@ -90,7 +90,7 @@ TEST(Trap, ClosingGapIsNotEntered) {
   }
 }
 
-/// Only a sonar that looks astern sees it come.
+/// Only a sonar that looks astern can see this berg approach.
 TEST(Trap, OvertakingBergIsLetPass) {
   Flight flight = eastward();
   flight.sonar.half_width_deg = 180.0;

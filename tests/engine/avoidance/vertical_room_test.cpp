@@ -24,7 +24,7 @@ OwnState own_over(double second, double depth_m, std::optional<double> bed_m = {
 
 Echo echo(double x, double depth) { return {{x, 0.0}, depth, x, depth, depth}; }
 
-/// Shows the room the same echo in ping after ping; whether the last is passed.
+/// Gives the same echo in several pings, and returns whether the last echo is passed.
 bool passes(VerticalRoom& room, const Echo& shown, int pings = 5) {
   bool passed = false;
   for (int i = 0; i < pings; ++i) {
@@ -79,7 +79,7 @@ TEST(VerticalRoom, KeepsBelowTheIceOverhead) {
   EXPECT_FALSE(passes(*room, echo(60.0, 34.0)));  // a keel that hangs from it does not
 }
 
-/// What stands on something nearer by or right below is a wall, however steeply it is seen.
+/// An echo above a nearer echo, or above one straight below, belongs to a wall, however steep its direction.
 TEST(VerticalRoom, TakesNoWallForIceOverhead) {
   const auto room = std::make_unique<VerticalRoom>(to_60_m());
   room->sound(own_over(0.0, 40.0), {});

@@ -18,7 +18,7 @@ constexpr std::array names{"sin",  "cos",  "sincos", "tan",   "asin",  "acos", "
                            "exp",  "exp2", "expm1",  "pow",   "log",   "log2", "log10", "log1p",
                            "sinh", "cosh", "tanh",   "asinh", "acosh", "atanh"};
 
-/// What the program that digests.cpp makes prints, by the function's name.
+/// The output of the program digests, by the name of the function.
 std::map<std::string, std::string> digests(const std::string& environment) {
   const std::string command = environment + " '" + support::program_folder() + "/elementary_digests'";
   FILE* const pipe = popen(command.c_str(), "r");
@@ -58,7 +58,7 @@ TEST(Values, AreTheSameWithoutFusedMultiplyAdd) {
   EXPECT_GE(without_libm(plainly).size(), 28);
   EXPECT_EQ(without_libm(plainly), without_libm(without));
 
-  // Or the tunable does nothing, and the test shows nothing.
+  // Otherwise the tunable has no effect, and the test would show nothing.
   if (__builtin_cpu_supports("fma") && __builtin_cpu_supports("avx2")) {
     EXPECT_NE(plainly.at("libm:sin"), without.at("libm:sin"));
   }

@@ -12,7 +12,7 @@
 namespace floeplan::geo::magnetic_field_test {
 namespace {
 
-/// The instant of a year with its share gone.
+/// The instant of a year with a fraction: 2026.5 is the middle of 2026.
 core::UtcTime at_year(double year) {
   using namespace std::chrono;
   const auto first_of = [](int each) {

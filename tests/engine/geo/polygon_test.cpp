@@ -34,7 +34,7 @@ TEST(Polygon, CrossesTheAntimeridian) {
   EXPECT_EQ(bounding_box(island), (BoundingBox{178.0, 70.0, -177.0, 72.0}));
 }
 
-/// Between corners as far apart as those of a band there is no gap.
+/// The corners of a band are far apart, but this is no gap in the band.
 TEST(Polygon, ThatLeadsAllTheWayRoundHasABoxThatDoes) {
   Polygon band;
   for (int lon_deg = -180; lon_deg <= 180; lon_deg += 60) band.outer.push_back({1.0 * lon_deg, 60.0});
@@ -52,8 +52,8 @@ TEST(Polygon, ThatIsWideHasABoxAcrossItsWidestEdge) {
   EXPECT_EQ(bounding_box(wide), (BoundingBox{-100.0, 60.0, 100.0, 80.0}));
 }
 
-/// Law: of many places at once it says what it says of each; also on its corners' meridians and across the
-/// antimeridian.
+/// Law: the answer for many places at once is the answer for each of them; also on its corners' meridians and
+/// across the antimeridian.
 TEST(Polygon, HoldsOfManyPlacesThoseThatItHoldsOneByOne) {
   support::for_each_seed(300, [](std::mt19937_64& rng) {
     const double middle_deg = support::uniform(rng, -180.0, 180.0);

@@ -51,7 +51,7 @@ TEST(RingCrossing, IsNoneWhereEdgesTouch) {
   }
 }
 
-/// Boost.Geometry is the independent judge of random outlines, whose edges hardly ever only touch.
+/// Boost.Geometry decides independently for random outlines, whose edges hardly ever touch without crossing.
 TEST(RingCrossing, IsFoundExactlyWhereAnotherLibrarySeesOne) {
   namespace bg = boost::geometry;
   int crossed = 0;

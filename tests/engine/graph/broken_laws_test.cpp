@@ -18,8 +18,8 @@ constexpr Vertex goal = 3;
 GridGraph crossing_grid() { return GridGraph{4, 2, 1, {1, 1, 1, 1, 0, 1, 0, 0}}; }
 
 TEST(Searches, WithoutFifoTakeTheEarlyArrivalThatHasToWaitLonger) {
-  // The last edge takes 100 s for those who leave before t = 10 s and 1 s afterwards: going the slow way
-  // would arrive at 13 s. Neither search looks at any but the earliest arrival at the crossing.
+  // The last edge takes 100 s for a departure before t = 10 s, and 1 s afterwards. The slower route would
+  // arrive at 13 s, but both searches keep only the earliest arrival at the crossing.
   const auto opens_at_ten = [](const Edge& edge, core::Seconds depart,
                                core::Seconds) -> std::optional<core::Seconds> {
     if (edge.head < edge.tail && edge.tail != 5) return std::nullopt;
@@ -39,7 +39,7 @@ TEST(Searches, WithoutFifoTakeTheEarlyArrivalThatHasToWaitLonger) {
 }
 
 TEST(TveSearch, CorrectsAnExpandedVertexThatATimeBelowZeroReachesEarlierAndCountsIt) {
-  // Vertex 2 is expanded at 4 s by way of 5; the way over 1 reaches it at 6 - 5 = 1 s.
+  // Vertex 2 is expanded at 4 s on the path over 5; the path over 1 reaches it at 6 - 5 = 1 s.
   const auto back_in_time = [](const Edge& edge, core::Seconds,
                                core::Seconds) -> std::optional<core::Seconds> {
     if (edge.head < edge.tail && edge.tail != 5) return std::nullopt;

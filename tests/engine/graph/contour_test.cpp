@@ -139,7 +139,7 @@ TEST(Contour, HoldsTheVerticesInsideAndNoOthersAndGrowsWithTheLevel) {
     for (int y = 0; y < rough.ny; ++y) {
       for (int x = 0; x < rough.nx; ++x) {
         const bool inside = rough.values[static_cast<std::size_t>(y * rough.nx + x)] <= low;
-        // A hair off the vertex: a ray through vertices only would meet the borders' ends.
+        // Slightly beside the vertex, because a ray through the vertices would meet the ends of borders.
         const double column = x < 8 ? x + 1e-9 : x - 1e-9;
         const double row = y < 6 ? y + 1e-9 : y - 1e-9;
         EXPECT_EQ(contains(small, column, row), inside) << x << ' ' << y;
@@ -153,8 +153,8 @@ TEST(Contour, HoldsTheVerticesInsideAndNoOthersAndGrowsWithTheLevel) {
   });
 }
 
-/// Where borders would lie on the vertices, places stay farther apart than documents round them to: a centimetre where
-/// cells are some tens of metres wide.
+/// If borders would lie on the vertices, their places stay farther apart than the rounding of documents: a
+/// centimetre for cells of some tens of metres.
 TEST(Contour, KeepsItsPlacesApartAlsoWhenTheyAreRounded) {
   std::vector<std::uint8_t> inside(9 * 9, 0);
   for (const int vertex : {30, 31, 39, 40, 50}) inside[static_cast<std::size_t>(vertex)] = 1;

@@ -7,7 +7,7 @@
 namespace floeplan::graph::corridors_test {
 namespace {
 
-/// A second for each step of the grid, whichever.
+/// One second for every step of the grid.
 struct OneSecond {
   std::optional<core::Seconds> operator()(const Edge&, core::Seconds, core::Seconds) const {
     return core::Seconds{1.0};

@@ -13,15 +13,15 @@ namespace {
 
 constexpr double never = SearchTree::never;
 constexpr double horizon_s = 4000.0;
-constexpr double step_s = 1.0;  // between the departures that the world looks at
+constexpr double step_s = 1.0;  // between the departures that the test world tries
 
 struct Span {
   double from_s;
   double until_s;
 };
 
-/// Places that are safe at times, some of them to stay at and others only to pass, and edges that open and close.
-/// Every edge's time swings, slower than the clock runs: a later departure arrives later.
+/// Places that are safe at times, some of them to stay at and others only to pass, and edges that open and
+/// close. The time of every edge oscillates slowly enough that a later departure arrives later.
 class ChangingWorld {
  public:
   ChangingWorld(const GridGraph& graph, Vertex goal, double share_to_pass, std::mt19937_64& rng)
@@ -47,7 +47,7 @@ class ChangingWorld {
     return 30.0 * std::max(columns, rows);
   }
 
-  /// Looks at so many departures at once, and is asked again for more.
+  /// One call tries this many departures; the search calls it again for more.
   [[nodiscard]] DepartureLook first_open(const Edge& edge, double from_s, double until_s,
                                          double arrive_from_s) const {
     constexpr int most_looks = 200;
@@ -129,8 +129,8 @@ class ChangingWorld {
   std::vector<std::vector<SafeInterval>> intervals_;
 };
 
-/// The earliest arrival by trying everything: of each vertex and each four seconds the earliest arrival in them goes
-/// on, and so does who stays until the next four seconds.
+/// The earliest arrival, found by trying all possibilities. At each vertex and in each span of four seconds,
+/// only the earliest arrival is continued, and a vehicle that stays until the next span.
 double by_brute_force(const GridGraph& graph, const ChangingWorld& world, Vertex source, Vertex goal) {
   constexpr double bin_s = 4.0;
   const auto bins = static_cast<std::size_t>(horizon_s / bin_s) + 1;
@@ -157,7 +157,7 @@ double by_brute_force(const GridGraph& graph, const ChangingWorld& world, Vertex
   return never;
 }
 
-/// Whether a vehicle can go so, give or take the world's step.
+/// Expects that a vehicle can travel this path, within a step of the test world.
 void expect_can_be_gone(const ChangingWorld& world, const GridGraph& graph, const std::vector<Visit>& way) {
   double now_s = way.front().arrive_s;
   for (std::size_t i = 0; i + 1 < way.size(); ++i) {
@@ -193,7 +193,7 @@ TEST_P(AmongIntervals, NoArrivalOfBruteForceIsEarlier) {
 
     EXPECT_FALSE(search.stopped || search.full);
     if (!search.way.empty()) expect_can_be_gone(world, graph, search.way);
-    if (expected_s == never) return;  // it may overlook departures between its own
+    if (expected_s == never) return;  // the brute force may miss departures between those that it tries
     ++found;
     ASSERT_FALSE(search.way.empty()) << expected_s;
     EXPECT_LE(search.arrival_s(), expected_s + 60.0);
@@ -203,7 +203,7 @@ TEST_P(AmongIntervals, NoArrivalOfBruteForceIsEarlier) {
 
 INSTANTIATE_TEST_SUITE_P(ShareOnlyToPass, AmongIntervals, testing::Values(0.0, 0.5, 0.9));
 
-/// One edge that opens at 1000 s, from a place where the vehicle may stay, or before which it may.
+/// An edge that opens at 1000 s. The vehicle may stay at its tail, or only at the vertex before that.
 class Gate {
  public:
   static constexpr double opens_s = 1000.0;

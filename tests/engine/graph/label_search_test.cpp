@@ -15,8 +15,8 @@ namespace {
 constexpr std::size_t plenty = 1'000'000;
 constexpr double never = std::numeric_limits<double>::infinity();
 
-/// A world in which whole hours pass: each edge takes 1 to 3 hours, drawn for each hour of departure, and is
-/// closed at some hours; so leaving later may arrive earlier. Travelled fast it takes 1 hour, for more energy.
+/// A world with times in whole hours. For each hour of departure an edge is closed, or takes 1 to 3 hours at
+/// random, so a later departure may arrive earlier. A fast vehicle takes 1 hour and more energy.
 class HourlyWorld {
  public:
   struct State {
@@ -45,12 +45,12 @@ class HourlyWorld {
   [[nodiscard]] double key(Vertex, double arrival_s, const State& state) const {
     return for_energy_ ? state.energy : arrival_s;
   }
-  /// Another hour is another world.
+  /// Arrivals at different hours cannot be compared.
   [[nodiscard]] static bool dominates(Vertex, const Label<State>& a, const Label<State>& b) {
     return a.arrival_s == b.arrival_s && a.state.energy <= b.state.energy;
   }
 
-  /// Least key of any way to the goal, by trying every one of them.
+  /// Least key of all paths to the goal, found by trying all of them.
   [[nodiscard]] double best_by_enumeration(const GridGraph& graph, Vertex v, double arrival_s,
                                            const State& state) const {
     if (v == goal_) return key(v, arrival_s, state);
@@ -133,7 +133,7 @@ TEST(LabelSearch, ReturnsAWayThatTheModelAllowsStepByStep) {
   });
 }
 
-/// Arrival times only, as the plain search has them.
+/// Only arrival times, as in the plain search.
 struct PlainVoyage {
   struct State {};
   const SwingingTimes& times;

@@ -10,12 +10,12 @@
 #include "engine/graph/tve_search.hpp"
 #include "tests/support/property.hpp"
 
-/// A search that is asked to stop times few edges more, whatever the moment: what a timed edge takes at most, times
-/// this number, is how long a caller waits.
+/// After a requested stop a search times only a few more edges, at any moment. This number times the longest
+/// time for an edge is the longest wait of a caller.
 namespace floeplan::graph::stopped_searches_test {
 namespace {
 
-/// Asks for the stop when a given number of edges has been timed, and counts those after it.
+/// Requests the stop when a given number of edges has been timed, and counts the edges after it.
 class StoppingTimes {
  public:
   explicit StoppingTimes(std::int64_t edges_before) : left_{edges_before} {}

@@ -12,8 +12,8 @@
 
 namespace floeplan::graph {
 
-/// Travel times that swing about a mean of their own for each edge, slower than the clock runs, so that FIFO
-/// holds: |dw/dt| < 1. One edge in ten is never passable.
+/// Travel times that oscillate about the mean of each edge, slowly enough that FIFO holds: |dw/dt| < 1. One
+/// edge in ten is never passable.
 class SwingingTimes {
  public:
   SwingingTimes(const GridGraph& graph, std::mt19937_64& rng)

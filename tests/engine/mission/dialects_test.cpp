@@ -37,8 +37,9 @@ struct Dialect {
   const char* name{"goto_l10.ma"};
 };
 
-/// As real files do it, and as they go wrong; the verdicts follow the rules of our notes on the format: unknown names,
-/// other units and an absent radius are notes, sloppy yet defined text is warned of, the rest is rejected.
+/// Variants in real files, correct ones and faulty ones. The verdicts follow the notes on the format: unknown
+/// names, other units and a missing radius give a note, unusual but defined text a warning; everything else
+/// is rejected.
 const std::vector<Dialect> dialects{
     {"as the vendor writes it", list, Verdict::ok},
     {"CRLF", with(list, "\n", "\r\n"), Verdict::ok},

@@ -8,7 +8,7 @@
 
 namespace floeplan::support {
 
-/// A goto list as the vehicle sees it.
+/// A goto list as the vehicle reads it.
 struct ReadList {
   std::map<std::string, double> b_args;  // by name and unit: "num_waypoints(nodim)"
   std::vector<geo::LonLat> waypoints;

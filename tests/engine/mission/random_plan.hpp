@@ -29,7 +29,7 @@ inline planning::Plan plan_of(const std::vector<geo::LonLat>& places) {
   return plan;
 }
 
-/// Places anywhere the format allows, often at degree lines, the equator, Greenwich and the antimeridian.
+/// Any place that the format allows; often at a whole degree, the equator, Greenwich or the antimeridian.
 inline geo::LonLat random_place(std::mt19937_64& rng) {
   geo::LonLat place{uniform(rng, -180.0, 360.0), uniform(rng, -89.0, 89.0)};
   if (uniform_int(rng, 0, 2) == 0) place.lon_deg = 180.0 * uniform_int(rng, -1, 2);

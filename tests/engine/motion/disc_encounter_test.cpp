@@ -117,7 +117,7 @@ TEST(DiscEncounter, CountsTheRimAsInside) {
   EXPECT_NEAR(first_touch(past, disc).value(), 1000.0, 1e-3);
 }
 
-/// The way s(t) of a piece.
+/// The distance s(t) covered on a piece.
 double way_at(const EdgePiece& piece, double t) {
   const double h = piece.t1_s - piece.t0_s;
   const double u = (t - piece.t0_s) / h;

@@ -61,8 +61,8 @@ Reference reference(const Patchwork& patchwork, double depart_s) {
   return result;
 }
 
-/// How near to its closing the edge is too close to call: the current changes by up to 4e-4 m/s each second
-/// between two points of the reference, and while a vehicle is a tolerance late.
+/// How near to its closing the edge is too uncertain to be compared: the current changes by up to 4e-4 m/s
+/// each second between two points of the reference, and while a vehicle is a tolerance late.
 double too_close_to_call_m_s(double tolerance, const Reference& expected) {
   return 4e-4 * (expected.longest_step_s + tolerance * expected.time_s);
 }
@@ -104,7 +104,7 @@ TEST(EdgeDrive, AgreesWithAFineReferenceBothWaysWhetherTheEdgeIsOpenOrNot) {
   EXPECT_GT(closed, 50);
 }
 
-/// One stretch for the whole edge, for ever.
+/// One stretch in space and time for the whole edge.
 struct SingleStretch {
   QuadraticStretch current;
 
@@ -115,7 +115,7 @@ struct SingleStretch {
 };
 
 TEST(EdgeDrive, SeesACurrentThatIsTooStrongBetweenThePointsOfItsSteps) {
-  // A cross current that beats the glider by a hair, on two hundredths of the edge about its peak.
+  // A cross current slightly stronger than the glider, on two hundredths of the edge about its peak.
   constexpr double peak_m_s = 0.3501;
   constexpr double bend = -0.69 / (4'000.0 * 4'000.0);
   for (int place = 2; place <= 98; ++place) {

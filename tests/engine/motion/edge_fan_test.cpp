@@ -28,7 +28,8 @@ std::vector<geo::PlanePoint> random_edges(std::mt19937_64& rng, int count) {
   return edges;
 }
 
-/// Water that a model allows: at each knot the change for a metre is one of those in the box of the model's quarter.
+/// A current within the bounds of a model: at each knot, its change per metre lies in the box that the model
+/// gives for this quarter.
 class AllowedWater {
  public:
   AllowedWater(std::mt19937_64& rng, double strength_m_s, double change_per_m) {
@@ -78,7 +79,8 @@ class AllowedWater {
 
   std::optional<CurrentXy> operator()(geo::PlanePoint point, core::Seconds time) const {
     if (time.count() > times_s.back()) return std::nullopt;
-    // A stage of the integration may look a little before the departure: the first stretch goes on there.
+    // A stage of the integration may need a time slightly before the departure; the first stretch continues
+    // there.
     const auto after =
         static_cast<std::size_t>(std::ranges::upper_bound(times_s, time.count()) - times_s.begin());
     const std::size_t i = std::clamp(after, std::size_t{1}, times_s.size() - 1) - 1;

@@ -14,7 +14,7 @@ constexpr PlaneEdge eastward{{0.0, 0.0}, {10'000.0, 0.0}, {10'000.0}};
 constexpr PlaneEdge westward{{10'000.0, 0.0}, {0.0, 0.0}, {10'000.0}};
 constexpr EdgeAccuracy kilometre_steps{.longest_step = core::Metres{1'000.0}};
 
-/// What runs along the edge, at its strongest in the middle and hardly felt at its ends.
+/// A current along the edge, strongest in the middle and weak at the ends.
 auto jet(double x_m_s, double y_m_s) {
   return [=](geo::PlanePoint p, core::Seconds) -> std::optional<CurrentXy> {
     const double from_middle = (p.x_m - 5'000.0) / 1'500.0;

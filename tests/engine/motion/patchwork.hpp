@@ -10,8 +10,8 @@
 
 namespace floeplan::motion {
 
-/// A random current on an edge as data in cells and hours look like: linear between the nodes in place and
-/// time, and in every cell an arch that vanishes at its borders.
+/// A random current on an edge with the structure of gridded data: linear between the nodes in place and
+/// time, and in every cell an arch that is zero at the borders of the cell.
 struct Patchwork {
   static constexpr std::size_t cells = 4;
   static constexpr std::size_t hours = 40;
@@ -28,7 +28,7 @@ struct Patchwork {
     for (auto& hour : arches) std::ranges::generate(hour, [&] { return random(0.3 * strongest_m_s); });
   }
 
-  /// The same water on the way back.
+  /// The same current for the opposite direction of travel.
   [[nodiscard]] Patchwork reversed() const {
     Patchwork back = *this;
     const auto turn = [](auto& hour) {
@@ -73,7 +73,7 @@ struct Patchwork {
     return *stretch(hour, cell).at(way_m, t_s);
   }
 
-  /// What the drive along the edge asks.
+  /// The current as the drive along the edge requests it.
   struct Line {
     const Patchwork& patchwork;
     std::size_t hour{};

@@ -25,7 +25,7 @@ double error_between(double h) {
   return worst;
 }
 
-/// By which power of the step an error falls, from two steps.
+/// The power of the step with which an error falls, from the errors at two steps.
 double order(double error, double error_of_half) { return std::log2(error / error_of_half); }
 
 TEST(RungeKutta, StepsHaveTheOrderOfTheirFormula) {

@@ -45,7 +45,7 @@ inline simulation::FlightRecord guided(const simulation::World& world, const Gui
                          on_board);
 }
 
-/// Share of the track's moments in which the system on board steered.
+/// Share of the points of the track at which the system on board steered.
 inline double share_steered(const simulation::FlightRecord& record) {
   const auto steered = std::ranges::count_if(record.track, [](const simulation::TrackPoint& point) {
     return point.mode != avoidance::Mode::mission;

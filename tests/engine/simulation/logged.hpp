@@ -19,9 +19,9 @@ inline double packed(double angle_deg) {
 /// Magnetic variation of these logs, west positive.
 inline constexpr double logged_variation_rad = 0.3;
 
-/// A simulated flight written down as the log of a Slocum that comes up once: what a reader of logs should understand.
-/// The current goes into the log in the vehicle's own axes, whose y bears the convergence of the UTM grid less the
-/// variation.
+/// A simulated flight written as the log of a Slocum that surfaces once, for tests of the readers of logs.
+/// The current goes into the log in the vehicle's own axes, whose y bears the convergence of the UTM grid
+/// less the variation.
 inline std::string log_of(const simulation::FlightRecord& record, const simulation::World& world,
                           geo::LonLat waypoint, double pump_cc, double current_east, double current_north) {
   using simulation::EventKind;

@@ -9,7 +9,7 @@
 
 namespace floeplan::support {
 
-/// What a run of the program printed and how it ended.
+/// The output and the exit code of a run of the program.
 struct Outcome {
   int exit_code{};
   std::string out;

@@ -20,7 +20,7 @@ struct Answer {
   [[nodiscard]] nlohmann::json json() const { return nlohmann::json::parse(body, nullptr, false); }
 };
 
-/// A node of a store that several share, where the tests run beside a database server.
+/// A node of a store that several nodes share. Used where the tests run with a database server.
 struct Node {
   std::filesystem::path store;   // the store of this folder, see `store_words`
   std::filesystem::path folder;  // the node's own
@@ -32,7 +32,7 @@ class ServedProgram {
  public:
   /// `flags`   of the command serve
   /// `before`  flags of the program that come before it
-  /// `log`     file that takes what it writes on stderr once it serves; empty: nobody wants it
+  /// `log`     file for its output on stderr once it serves; empty: the output is discarded
   explicit ServedProgram(const std::filesystem::path& store, const std::vector<std::string>& flags = {},
                          const std::vector<std::string>& before = {}, const std::filesystem::path& log = {});
   explicit ServedProgram(const Node& node, const std::vector<std::string>& flags = {},
@@ -77,7 +77,7 @@ class ServedProgram {
                                const std::string& headers, const std::string& body) const;
 
   pid_t pid_{};     // 0: it has ended
-  pid_t reader_{};  // of what it writes on stderr
+  pid_t reader_{};  // of its output on stderr
   std::uint16_t port_{};
 };
 

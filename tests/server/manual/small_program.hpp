@@ -6,7 +6,8 @@
 
 namespace floeplan::support {
 
-/// A parser with some of the program's commands: plan, with more flags than most need, and datasets with prune below it.
+/// A parser with some commands of the program: plan, also with flags that are rarely needed, and datasets
+/// with its subcommand prune.
 class SmallProgram {
  public:
   SmallProgram() {

@@ -8,7 +8,7 @@
 
 namespace floeplan::sandbox {
 
-/// Where attempts are made: a folder with a store, a file to read and a folder to write to.
+/// The surroundings of an attempt: a folder with a store, a file to read and a folder to write to.
 struct Scene {
   std::filesystem::path folder;
   std::uint16_t port{};  // of a listener on 127.0.0.1
@@ -18,15 +18,15 @@ struct Scene {
   [[nodiscard]] std::filesystem::path staging() const { return folder / "staging"; }
 };
 
-/// What a hostile file might make its reader do.
+/// An action that a hostile file might make its reader do.
 struct Attempt {
   std::string name;
   std::function<int(const Scene&)> make;  // returns 0 when it succeeded, else the number of the error
-  int landlock{};                         // from which version on Landlock alone denies it; 0: never
-  bool system_calls{false};               // whether the filter alone denies it
+  int landlock{};                         // first version of Landlock that denies it alone; 0: none does
+  bool system_calls{false};               // whether the filter of system calls alone denies it
 };
 
-/// Each is denied by one layer at least.
+/// All attempts. At least one layer denies each of them.
 [[nodiscard]] const std::vector<Attempt>& attempts();
 
 /// Makes one attempt in a process of its own, after `confine`.

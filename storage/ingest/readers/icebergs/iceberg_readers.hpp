@@ -50,18 +50,15 @@ namespace floeplan::ingest {
 /// "berg" in its name, or no columns other than an id and those of a sighting.
 [[nodiscard]] bool is_own_iceberg_table_header(std::string_view line, bool stated);
 
-/// Icebergs from a table whose columns have the names of the GeoJSON properties:
-///  id (name, berg, iceberg, berg_id, iceberg_id)                 required
-///  lat (latitude), lon (long, longitude)                         required, degrees
-///  observed (time, timestamp, datetime, date, last_seen)         required; ISO 8601 with its zone, or a day;
-/// a time in
-///                                                                a column whose name ends in "_utc" needs no
-///                                                                zone
-///  length_m, draft_m, size, shape, method                       optional; lengths also in other units of
-/// length_factor
-///                                                                (length_ft, length_km) and in nautical miles (_nm)
-///  position_uncertainty_m                                        optional; also other names that
-/// PositionErrors knows Fields are separated by commas, semicolons or tabs. A bad row is skipped and counted.
+/// Icebergs from a table whose columns have the names of the GeoJSON properties. Fields are separated by
+/// commas, semicolons or tabs. A bad row is skipped and counted.
+///  id        required; also name, berg, iceberg, berg_id, iceberg_id
+///  lat, lon  required, degrees; also latitude, long, longitude
+///  observed  required: a day, or ISO 8601 with its zone; also time, timestamp, datetime, date, last_seen. A
+///            time in a column whose name ends in "_utc" needs no zone
+///  length_m, draft_m, size, shape, method  optional; lengths also in other units of length_factor
+///            (length_ft, length_km) and in nautical miles (_nm)
+///  position_uncertainty_m  optional; also other names that PositionErrors knows
 [[nodiscard]] Checked<PreparedDataset> read_own_iceberg_table(const std::filesystem::path& file);
 
 /// Icebergs from features, GeoJSON or another vector file: points or outlines. The position of an outline is

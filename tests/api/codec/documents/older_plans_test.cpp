@@ -45,7 +45,7 @@ TEST(OlderPlans, KeepWhatTheyHave) {
   EXPECT_EQ(completed.at("waypoints").at(1).at("wait_s"), 0.0);
 }
 
-/// Law: whichever member came later, a plan without it is read.
+/// Law: a stored plan is read without any of the members that later versions added.
 void erase_each(json& part, const std::vector<const char*>& later, const json& document) {
   for (const char* name : later) {
     const json kept = part.at(name);

@@ -42,7 +42,7 @@ TEST(UncertaintyInputs, TellWhatIsToBeLeast) {
   EXPECT_EQ(early.rules.quantile, 0.75);
 }
 
-/// It would go unheeded: the way would be the first member's.
+/// Without this refusal the quantile would be ignored, and the route would be that of the first member.
 TEST(UncertaintyInputs, RefuseAQuantileThatNothingIsMadeTheBestOf) {
   const Read alone = read({{"quantile", 0.75}});
 

@@ -87,7 +87,7 @@ TEST(VehicleInputs, NameEveryFaultAtOnce) {
   }
 }
 
-/// With another vehicle these stay, and what is said inside of "vehicle" goes.
+/// With another vehicle these inputs stay, and the members of "vehicle" are dropped.
 TEST(VehicleInputs, TellWhatIsSaidBesideTheVehicle) {
   const json inputs{{"vehicle", {{"profile", "slocum-g3-200"}, {"climb_to_m", 8.0}}},
                     {"speed_m_s", 0.4},

@@ -137,7 +137,7 @@ TEST(Areas, AreRefusedWithThePlaceOfEveryFault) {
                   "/areas/features/6/properties/bottom_m"));
 }
 
-/// An hourglass leaves half of the box open that its corners were meant to enclose.
+/// An outline shaped like an hourglass leaves half of the box open that its corners should enclose.
 TEST(Areas, AreRefusedWhereTheirOutlineCrossesItself) {
   const json hourglass = json::parse("[[[-54,69],[-52,70],[-52,69],[-54,70],[-54,69]]]");
   const json document = inputs({feature({{"kind", "no_go"}}, hourglass)});
@@ -149,7 +149,7 @@ TEST(Areas, AreRefusedWhereTheirOutlineCrossesItself) {
   EXPECT_THAT(reader.violations().front().rule, HasSubstr("[-53.0,69.5]"));
 }
 
-/// Two areas written as one polygon: the second would be no area at all.
+/// Two areas written as one polygon: the second would count as a hole, not as an area.
 TEST(Areas, AreRefusedWhereAHoleLiesOutside) {
   const auto with_hole = [](const char* hole) {
     return inputs({feature({{"kind", "no_go"}}, json::array({square[0], json::parse(hole)}))});
@@ -184,7 +184,7 @@ TEST(Areas, MayLeadAllTheWayRoundTheEarth) {
   }
 }
 
-/// The short way round such an edge would leave out what was meant to be closed.
+/// If such an edge took the shorter way round the Earth, the area to be closed would stay open.
 TEST(Areas, AreRefusedWhereAnEdgeCouldLeadRoundTheEarthEitherWay) {
   const json wide = json::parse("[[[-100,60],[100,60],[100,80],[-100,80],[-100,60]]]");
   const json round_a_pole = json::parse("[[[-180,60],[-90,60],[0,60],[90,60],[180,60]]]");

@@ -35,7 +35,7 @@ json drawn(const fields::Field& field, std::mt19937_64& rng) {
   }
 }
 
-/// Law: what is read is written again, and so is what nobody gave.
+/// Law: every value that is read is written again, and so are the defaults of values that are not given.
 template <class Values>
 void are_written_as_they_are_read(const fields::Table<Values>& table) {
   for_each_seed(100, [&](std::mt19937_64& rng) {

@@ -89,7 +89,7 @@ std::string imc(const std::vector<Given>& routes) {
   return plans.dump();
 }
 
-/// Whole degrees alone, north and west.
+/// The routes as NMEA sentences; the places must have whole degrees, north and west.
 std::string nmea(const std::vector<Given>& routes) {
   std::string text;
   for (const Given& route : routes) {
@@ -225,7 +225,7 @@ TEST(RouteChoice, LeavesOutWhatIsHiddenAndTracksBesideARouteUnlessNamed) {
   EXPECT_EQ(read_route_file("a.gpx", both, "flown")->places.front(), (geo::LonLat{1.0, 1.0}));
 }
 
-/// Law: of a GPX file what is shown counts, and where nothing is, it is refused.
+/// Law: of a GPX file only the shown routes count; a file without a shown route is refused.
 TEST(RouteChoice, LeavesOutWhatOpenCpnHides) {
   support::for_each_seed(30, [](std::mt19937_64& rng) {
     const int count = support::uniform_int(rng, 1, 4);
@@ -362,7 +362,7 @@ TEST(RouteText, MayHavePrefixesAndBeUtf16) {
 TEST(NmeaRoutes, ThatAreSentAgainCountOnceAndThoseThatLackASentenceAreRefused) {
   const std::string places = "$GPWPL,5200.0000,N,00800.0000,W,A\n$GPWPL,5300.0000,N,00700.0000,W,B\n";
   const std::string listing = "$GPRTE,2,1,c,r,A\n$GPRTE,2,2,c,r,B\n";
-  const std::string none = "$GPRTE,1,1,c,*37\n";  // what a plotter without an active route sends
+  const std::string none = "$GPRTE,1,1,c,*37\n";  // sent by a plotter without an active route
   EXPECT_EQ(read_route_file("a.nmea", places + none + listing + listing)->places, two[0].places);
   EXPECT_THAT(fault_of("a.nmea", places + "$GPRTE,2,1,c,r,A\n"), HasSubstr("lacks sentence 2 of 2"));
   EXPECT_THAT(fault_of("a.nmea", places + "$GPRTE,2,2,c,r,B\n"),

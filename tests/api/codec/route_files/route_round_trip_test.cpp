@@ -115,7 +115,7 @@ TEST(RouteFiles, OfThePartsOfAPlanGiveItsWaypointsBack) {
   });
 }
 
-/// A request takes GeoJSON as it takes a file.
+/// A request accepts GeoJSON in the same way as a file.
 TEST(RouteFiles, OfAPlanMayStandInARequest) {
   support::for_each_seed(100, [](std::mt19937_64& rng) {
     const std::vector<geo::LonLat> way = random_way(rng, 12);

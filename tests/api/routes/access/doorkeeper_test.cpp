@@ -13,7 +13,7 @@ using repository::Role;
 
 constexpr core::UtcTime noon{core::Seconds{1.8e9}};
 
-/// The whole API behind its doors, on a store in memory.
+/// The whole API with its access control, on a store in memory.
 class DoorsTest : public testing::Test {
  protected:
   explicit DoorsTest(Doors doors = {.open_without_tokens = true, .origins = {"https://map.example"}})
@@ -261,7 +261,7 @@ TEST_F(ClosedDoorsTest, TakeTheClientsAddressFromTheirProxyAlone) {
 TEST_F(DoorsTest, WriteDownWhoDidWhat) {
   const auto pilot = bearer(add_token("pilot", Role::pilot));
   ask("GET", "/datasets", pilot);
-  ask("DELETE", "/jobs/a", pilot);  // which is not there
+  ask("DELETE", "/jobs/a", pilot);  // a job that does not exist
   log_in(add_token("ship", Role::pilot));
 
   const auto entries = repository::AuditRepository{db_}.list(0, 10);

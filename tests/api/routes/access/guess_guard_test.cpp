@@ -53,7 +53,7 @@ TEST(GuessGuard, SlowsDownGuessesAtOneTokenFromManyAddresses) {
   EXPECT_EQ(guard.wait({"home", "ship", "digest"}, noon), none) << "its owner goes on";
 }
 
-/// 300 within a second, by one token and by many, from one address.
+/// 300 logins within a second from one address, with one token and with many.
 TEST(GuessGuard, OpensLoginsNoFasterThanPeopleLogIn) {
   for (const bool one_token : {true, false}) {
     GuessGuard guard;

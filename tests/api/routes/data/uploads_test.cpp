@@ -78,7 +78,7 @@ TEST_F(UploadsTest, AreNotListedOnceTheyHaveExpired) {
   EXPECT_THAT(names_seen_by(ann), testing::IsEmpty());
 }
 
-/// Whoever learns the id of another's upload can do no more with it than with an id that nothing has.
+/// With the id of an upload of another owner, a user can do no more than with an id that does not exist.
 TEST_F(UploadsTest, AreThereForWhoSentThemAndForAnAdminAlone) {
   const std::string id = support::json_of(send(ann, "a1")).at("id");
   const std::string upload = "/uploads/" + id;

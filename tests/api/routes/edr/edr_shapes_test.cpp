@@ -29,7 +29,7 @@ std::vector<double> nodes_from(double first, double step, int count) {
   return nodes;
 }
 
-/// Currents on a grid, u being what `u_m_s` says of the node at all depths and times, v zero.
+/// Currents on a grid: u is the value of `u_m_s` at the node, at all depths and times; v is zero.
 struct Model {
   std::string id{"currents-00000000"};
   geo::GridFrame frame{};
@@ -142,7 +142,7 @@ TEST_F(EdrShapesTest, ACubeHasTheNodesOfTheModelAlongBothAxes) {
   EXPECT_EQ(axis(cube, "x"), json::array({-8.0, -7.5, -7.0}));
   EXPECT_EQ(axis(cube, "y"), json::array({52.0, 52.5, 53.0}));
   EXPECT_EQ(count_of_values(values(cube)), 9);
-  // By the standard the first and the last of the requested places lie on the edges of the cube.
+  // By the standard, the first and the last of the requested places lie on the edges of the cube.
   const json asked = get(currents + "cube?bbox=-8,52,-7,53&resolution-x=2&resolution-y=3" + at_noon);
   EXPECT_EQ(axis(asked, "x"), json::array({-8.0, -7.0}));
   EXPECT_EQ(axis(asked, "y"), json::array({52.0, 52.5, 53.0}));
@@ -180,7 +180,7 @@ TEST_F(EdrShapesTest, NoAnswerIsMadeUpWhereTheMiddleIsLand) {
   store(model);
   const json refusal = get(currents + "radius?coords=POINT(-6.3+52.2)&within=5" + at_noon, 404);
   EXPECT_NE(refusal.at("detail").get<std::string>().find("-6.3 52.2"), std::string::npos) << refusal;
-  // Nodes on land are null: there the data say that they know nothing.
+  // Nodes on land are null, because the data have no value there.
   EXPECT_EQ(count_of_values(values(get(currents + "cube?bbox=-6.6,52,-6,53" + at_noon))), 0);
 }
 
@@ -358,8 +358,9 @@ TEST_F(EdrShapesTest, APeriodBetweenStepsIsRefusedWithTheSteps) {
   EXPECT_NE(refusal.at("detail").get<std::string>().find("2026-11-20T13:00:00Z"), std::string::npos);
 }
 
-/// A shape inside the data: its query without depth and time, and whether a place is inside by a margin (positive),
-/// outside by one (negative) or too close to the edge to tell (0), reckoned apart from the server.
+/// A shape inside the data: its query without depth and time, and whether a place is inside by a margin
+/// (positive), outside by a margin (negative) or too close to the edge to decide (0). The test computes this
+/// independently of the server.
 struct Shape {
   std::string query;
   std::function<int(double lon_deg, double lat_deg)> side;
@@ -413,8 +414,8 @@ Shape random_triangle(std::mt19937_64& rng, double west, double south, double wi
           }};
 }
 
-/// A disc in the middle of the data; on which side of its rim a place lies is told by the haversine formula, which is
-/// within 0.6 % of the ellipsoid.
+/// A disc in the middle of the data. The haversine formula decides on which side of its rim a place lies; it
+/// is within 0.6 % of the ellipsoid.
 Shape random_disc(std::mt19937_64& rng, double west, double south, double width, double height) {
   const double lon0 = west + uniform(rng, 0.3, 0.7) * width;
   const double lat0 = south + uniform(rng, 0.3, 0.7) * height;
@@ -555,7 +556,7 @@ TEST_F(EdrShapesTest, DepthsOfTheSeaBedAreThoseOfTheNodes) {
   for (int i = 0; i < 121; ++i) depths_m.push_back(static_cast<float>(100 + i));
   fields.write_slice(dataset.id, "depth_m", 0, 0, depths_m);
 
-  // A chart of the world that came later is no better known here.
+  // A coarser chart of the world that was ingested later is not used here.
   dataset.id = {"bathymetry-11111111"};
   dataset.bounds = {-180.0, -90.0, 180.0, 90.0};
   dataset.provenance = {.file_name = {},
@@ -577,7 +578,7 @@ TEST_F(EdrShapesTest, DepthsOfTheSeaBedAreThoseOfTheNodes) {
   EXPECT_EQ(world.at("source").at("dataset_id"), "bathymetry-11111111") << "it alone holds the whole box";
 }
 
-/// A chart so fine that a large shape is answered from its overview: what is left out is left out by whole steps.
+/// A chart so fine that the answer for a large shape uses only every n-th node of it.
 TEST_F(EdrShapesTest, AFineChartIsThinnedToItsOwnNodes) {
   repository::Dataset dataset;
   dataset.id = {"bathymetry-00000000"};

@@ -95,7 +95,7 @@ TEST_F(FeaturesTest, EveryCollectionIsDescribedAndAnswers) {
   }
 }
 
-/// Without this a plan between two of its corners would not read the zones that were drawn by hand.
+/// Without this, a plan between two corners of the zone would not read the zones that were drawn by hand.
 TEST_F(FeaturesTest, AZoneAllRoundTheEarthWidensWhatIsKnownOfItsDataset) {
   json ring = json::array();
   for (int lon = -180; lon <= 180; lon += 60) ring.push_back({lon, 60});

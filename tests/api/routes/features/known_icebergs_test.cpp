@@ -24,10 +24,10 @@ using support::uniform_int;
 constexpr core::UtcTime departure = core::from_unix_seconds(1.8e9);  // 2027-01-15T08:00:00Z
 constexpr double hour_s = 3600.0;
 
-/// What tells one sighting from another.
+/// The values that identify a sighting.
 using Seen = std::tuple<std::string, double, double, std::string>;
 
-/// The sightings that the map asks for and those that a plan is made on.
+/// The sightings that the map requests, and those that a plan uses.
 class KnownIcebergsTest : public support::ApiTest {
  protected:
   void add(const std::string& id, const std::vector<ocean::Iceberg>& sightings) {
@@ -133,8 +133,8 @@ TEST_F(KnownIcebergsTest, TheMapFollowsTheDatasetsAndTheAgeOfARequest) {
   EXPECT_EQ(on_the_map("&dataset=list,other&max_sighting_age_days=10"), in_the_plan(query));
 }
 
-/// Law: as long as the map shows a plan under way, every berg that the plan obeys is on it, however many days the clock
-/// is past the departure; so is it for a probe.
+/// Law: while the map shows a plan that is being flown, it shows every berg that the plan avoids, however
+/// many days after the departure. The same holds for a probe.
 TEST_F(KnownIcebergsTest, WhatAPlanObeysIsDrawnWhileItIsUnderWay) {
   support::for_each_seed(20, [&](std::mt19937_64& rng) {
     db_ = support::empty_store();

@@ -106,7 +106,7 @@ TEST_F(MissionFilesTest, LieInTheArchiveWhereADockserverLooksForThem) {
         << bad;
 }
 
-/// What the response warns of, in the order of its headers.
+/// The warnings of the response, in the order of its headers.
 std::vector<std::string> warnings_of(const Response& response) {
   std::vector<std::string> warnings;
   for (const auto& [name, value] : response.headers)

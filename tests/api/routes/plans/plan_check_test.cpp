@@ -16,7 +16,7 @@ constexpr const char* stored = "/collections/plans/items/p1";
 
 class PlanCheckTest : public support::ApiTest {
  protected:
-  /// A plan that was made with a danger, in a store that holds no data: nothing repeats it.
+  /// A plan with a danger, in a store without data, so that no check repeats the danger.
   PlanCheckTest() {
     planning::Plan plan;
     plan.vehicle = "slocum-g3-200";
@@ -57,7 +57,7 @@ TEST_F(PlanCheckTest, ADangerOfThePlanIsConfirmedAlthoughTheNewestDataDoNotRepea
   EXPECT_EQ(confirmed.status, 200) << confirmed.body;
 }
 
-/// No vehicle flies the page, and it prints the dangers.
+/// The printed page is handed out all the same: no vehicle flies it, and it shows the dangers.
 TEST_F(PlanCheckTest, TheBriefOfADangerousPlanIsHandedOutAndTellsItsDangersAndTheSafePlaces) {
   const auto brief = ask("GET", std::string{stored} + "/mission.html?safe=-53.2,69.2");
   EXPECT_EQ(brief.status, 200) << brief.body;

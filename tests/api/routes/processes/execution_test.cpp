@@ -43,7 +43,7 @@ TEST_F(ExecutionTest, AnswersWithAJobThatIsInTheStore) {
   EXPECT_TRUE(JobRepository{db_}.find({"job1"}).has_value());
 }
 
-/// A quota is spent by plans as by files; what stores nothing goes on.
+/// Plans use up a quota as files do. A process that stores nothing is still allowed.
 TEST_F(ExecutionTest, BeginsNoPlanForAnOwnerWhoseQuotaIsSpent) {
   service_.quotas->set({.stored_bytes = 1000});
   repository::PlanRecord plan;

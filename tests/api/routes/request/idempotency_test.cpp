@@ -6,7 +6,7 @@ namespace {
 
 using IdempotencyTest = support::ApiTest;
 
-/// An operation that can be told from itself: each answer has a number.
+/// An operation whose answers differ: each has a number.
 class Counting : public IdempotencyTest {
  protected:
   Counting() {

@@ -26,7 +26,7 @@ struct Body {
   bool is_fixed{};  // to the ground: the water flows past it
 };
 
-/// Where the body lies at a time: `carried` is how far the water has come since time 0.
+/// The body at a time. `carried`: displacement of the water since time 0.
 struct PlacedBody {
   const Body* body{};
   SeaPoint centre{};
@@ -38,7 +38,8 @@ struct PlacedBody {
 [[nodiscard]] double reach_m(const Body& body);
 /// Whether the point is in the body or nearer than `margin_m` to it along its axes.
 [[nodiscard]] bool is_inside(const PlacedBody& placed, const SeaPoint& point, double margin_m);
-/// Distance to where a ray first enters the body; empty: it misses it. `direction` is a unit vector.
+/// Distance to the point where a ray first enters the body; empty if the ray misses the body. `direction` is
+/// a unit vector.
 [[nodiscard]] std::optional<double> first_hit(const PlacedBody& placed, const SeaPoint& from,
                                               const SeaPoint& direction);
 

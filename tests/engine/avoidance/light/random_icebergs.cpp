@@ -35,7 +35,8 @@ Body berg(std::mt19937_64& rng, const IcebergField& field, double speed_m_s) {
   return body;
 }
 
-/// A vehicle at a sighting that knows where every body is and will be, seen from above in the drifting water.
+/// A vehicle at its first sighting that knows the present and future place of every body; in the plane of the
+/// drifting water.
 class Foreknowledge {
  public:
   Foreknowledge(const Flight& flight, const Sighting& sighting) : flight_{flight}, sighting_{sighting} {}

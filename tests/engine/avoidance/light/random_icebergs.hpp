@@ -6,7 +6,7 @@
 
 namespace floeplan::support {
 
-/// What a random field of icebergs is made of.
+/// The parameters of a random field of icebergs.
 struct IcebergField {
   double route_m{5000.0};
   double km2_for_each{1.5};
@@ -21,12 +21,14 @@ struct IcebergField {
   double free_round_start_m{150.0};
 };
 
-/// A flight east along the route, through bergs at random places that the plan does not know: half ellipsoids whose
-/// draft is 2.91 L^0.71 (Barker, Sayed and Carrieres 2004) and whose width is 0.55 to 0.95 of the length.
+/// A flight eastwards along the route, through bergs at random places that the plan does not contain. The
+/// bergs are half ellipsoids. Their draft is 2.91 L^0.71 for the length L (Barker, Sayed and Carrieres 2004),
+/// and their width is 0.55 to 0.95 of the length.
 [[nodiscard]] Flight random_icebergs(std::uint64_t seed, const IcebergField& field = {});
 
-/// Whether a vehicle that knew everything could have saved itself from the moment the body was seen first: by some
-/// steady heading, or by one change of it, it would have kept clear of every body for twenty minutes.
+/// Whether a vehicle with full knowledge could have avoided the collision after its sonar first met the body:
+/// whether some constant heading, or one change of heading, would have kept it clear of every body for twenty
+/// minutes.
 [[nodiscard]] bool could_be_saved(const Flight& flight, const FlightResult& result);
 
 }  // namespace floeplan::support

@@ -99,7 +99,7 @@ class LightFlight {
     return flight_.sea.bed_m && place_.depth_m > *flight_.sea.bed_m - hull_m;
   }
 
-  /// Whether the vehicle believes that it has arrived: it cannot know better before its next fix.
+  /// Whether the vehicle has arrived by its own dead reckoning.
   bool arrived() {
     while (next_ < flight_.waypoints.size() &&
            geo::distance_m(believed_, flight_.waypoints[next_]) < arrived_m) {
@@ -231,7 +231,8 @@ class LightFlight {
     result_.way_m += step_s * std::hypot(v * std::sin(heading_rad_) + c.east.value,
                                          v * std::cos(heading_rad_) + c.north.value);
 
-    // What the vehicle reckons: its compass, its speed, and the current it found between its last fixes.
+    // Dead reckoning of the vehicle: from its compass, its assumed speed, and the current between its last
+    // two fixes.
     const double seen_heading = heading_rad_ + compass_bias_rad_;
     believed_.x_m += step_s * (v * speed_scale_ * std::sin(seen_heading) + reckoned_.east.value);
     believed_.y_m += step_s * (v * speed_scale_ * std::cos(seen_heading) + reckoned_.north.value);
@@ -253,7 +254,7 @@ class LightFlight {
     }
   }
 
-  /// The place is known again, and what was missed is put down to the current, as a Slocum does.
+  /// At a fix the position is known, and the error since the last fix counts as current, as on a Slocum.
   void take_fix() {
     const double since_s = flight_.vehicle.fix_every_s;
     reckoned_.east.value += (place_.east_m - believed_.x_m) / since_s;

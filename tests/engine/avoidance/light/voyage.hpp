@@ -32,7 +32,7 @@ struct LightVehicle {
   double shallowest_m{5.0};
   double deepest_m{30.0};
   double compass_sigma_deg{2.0};  // one bias for each flight
-  double speed_sigma{0.03};       // of the speed it reckons with, one for each flight
+  double speed_sigma{0.03};       // of the assumed speed through the water, one for each flight
   double fix_every_s{3600.0};
 };
 
@@ -40,7 +40,7 @@ struct LightSea {
   std::vector<Body> bodies;
   std::optional<double> bed_m;
   geo::VelocityEn forecast;
-  double current_error_m_s{};  // rms of a component, over time; 0: the forecast holds
+  double current_error_m_s{};  // rms of a component, over time; 0: the forecast is exact
   double current_error_scale_s{6.0 * 3600.0};
 };
 
@@ -58,7 +58,7 @@ struct Flight {
 
 enum class Ending { arrived, collided, too_long, gave_up };
 
-/// Where the vehicle was when its sonar first met a body.
+/// The place of the vehicle when its sonar first met a body.
 struct Sighting {
   double time_s{};
   SeaPoint place{};
@@ -86,7 +86,7 @@ using Watcher = std::function<void(double, const SeaPoint&, const avoidance::Gui
 
 [[nodiscard]] FlightResult fly(const Flight& flight, const Watcher& watch = {});
 
-/// Metres kept from a body's surface for it to count as no collision.
+/// A vehicle nearer than this to the surface of a body has collided with it.
 inline constexpr double hull_m = 1.0;
 
 }  // namespace floeplan::support

@@ -4,7 +4,7 @@
 
 namespace floeplan::support {
 
-/// How often this program has taken a block from the heap so far.
+/// Number of blocks that this program has allocated on the heap so far.
 [[nodiscard]] std::size_t allocations();
 
 }  // namespace floeplan::support

@@ -8,13 +8,13 @@
 
 namespace floeplan::support {
 
-/// What a vehicle senses that goes east among walls on every side: more echoes in each ping than a sonar has, and more
-/// surfaces than the map of objects has room for.
+/// The sensor values of a vehicle that goes east among walls on every side. Each ping has more echoes than a
+/// sonar can give, and the walls have more surfaces than the map of objects can hold.
 class CrowdedSea {
  public:
   explicit CrowdedSea(std::size_t echoes) : returns_(echoes), bins_(20) {}
 
-  /// The same second gives the same. The spans hold until the next call.
+  /// The same second gives the same values. The spans are valid until the next call.
   const avoidance::Sensed& at(double second) {
     const double place_m = 0.35 * second;
     sensed_.own.time = core::from_unix_seconds(1e9 + second);

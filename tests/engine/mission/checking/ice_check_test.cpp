@@ -60,7 +60,7 @@ Document surfacing(int start_when, int when_secs = 1200) {
                                           std::to_string(when_secs) + "\n<end:b_arg>\n");
 }
 
-/// What is said of the files in the sea, file by file.
+/// The files with the messages of the check in this sea.
 std::vector<Document> checked(std::vector<Document> files, const ocean::Environment& sea) {
   planning::PlanRequest request = support::eastward_request();
   request.under_ice.current_uncertainty = {0.0};
@@ -184,7 +184,7 @@ TEST(IceCheck, LeavesTheListOfARecoveryOutOfTheWay) {
   EXPECT_EQ(route_of({recovery}).stops.size(), 3u);
 }
 
-/// Law: what the writer makes of a plan through ice, the check has nothing against in the same sea.
+/// Law: the check finds no fault, in the same sea, in the files that the writer makes of a plan through ice.
 TEST(IceCheck, HasNothingAgainstWhatTheWriterMakes) {
   int written = 0;
   support::for_each_seed(30, [&](std::mt19937_64& rng) {

@@ -17,7 +17,8 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// What a list says of its rows; what it leaves unsaid the dictionary says.
+/// The settings of a list about its rows; for a setting that is not given, the default of the dictionary
+/// counts.
 struct Said {
   std::optional<int> legs;
   std::optional<int> initial;
@@ -41,7 +42,7 @@ Document list_of(const std::vector<geo::LonLat>& rows, const Said& said, const s
   return read_document("goto_l10.ma", text + "<end:waypoints>\n");
 }
 
-/// Leg by leg as a vehicle does it, up to `most` legs.
+/// The rows in the order in which a vehicle flies them, up to `most` legs.
 std::vector<std::size_t> followed(const Said& said, std::size_t rows, std::size_t closest, std::size_t most) {
   const int legs = said.legs.value_or(-1);
   const int initial = said.initial.value_or(-2);
@@ -60,7 +61,7 @@ std::vector<std::size_t> followed(const Said& said, std::size_t rows, std::size_
 
 const std::vector<geo::LonLat> three{{-7.5, 52.0}, {-7.0, 52.5}, {-6.0, 52.0}};
 
-/// Law: a check finds every number of legs for which nobody can say what is flown.
+/// Law: the check finds every number of legs for which the flown rows are not defined.
 TEST(FlownRows, OfWhichNobodyKnowsAreFoundByTheCheck) {
   for (const int legs : {-3, -2, -1, 0, 1, 4, 1000, 1001, 2147483647}) {
     const Document list = list_of(three, {.legs = legs, .initial = 0});
@@ -125,8 +126,8 @@ TEST(FlownRows, AreNotKnownOfAListThatAsksForNoneThatThereIs) {
     EXPECT_EQ(list_of(three, {-2, initial}).verdict(), Verdict::reject) << initial;
 }
 
-/// Law: whatever a list says, the rows are those of a vehicle that goes from row to row; a list that goes round for
-/// ever gives one round of it; and a note tells of every list that is not flown once from its first row to its last.
+/// Law: for any list, the rows are those of a vehicle that goes from row to row. A list without end gives one
+/// round. A list that is not flown once from its first row to its last gets a note.
 TEST(FlownRows, AreThoseOfAVehicleThatGoesFromRowToRow) {
   support::for_each_seed(2000, [](std::mt19937_64& rng) {
     const int count = support::uniform_int(rng, 1, 9);

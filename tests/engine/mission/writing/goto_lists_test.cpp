@@ -293,7 +293,7 @@ TEST(GotoLists, SayHowLongTheFirstIsFlownBeforeAnyCurrentIsKnown) {
               testing::Not(says));
 }
 
-/// Below ice up to 2 km before its goal, where it may be off by 600 m.
+/// A plan below ice until 2 km before its goal, where the position error is 600 m.
 planning::Plan plan_out_of_the_ice() {
   planning::Plan plan = plan_below_ice(3, {1});
   auto& states = plan.surfacing->waypoints;
@@ -338,7 +338,7 @@ TEST(GotoLists, WarnWhereTheVehicleMayBeOffSoFarThatItComesUpBelowTheIce) {
                                       HasSubstr("more than 899 m from the ice"))));
 }
 
-/// Ice beside a way that is free of it all along is not beyond its start.
+/// Ice beside a route that never passes below ice does not count as ice before its start.
 TEST(GotoLists, AreNotBeyondIceThatTheirWayDoesNotPassBelow) {
   planning::Plan plan = plan_below_ice(3, {});
   double way_m = 0.0;
@@ -353,7 +353,8 @@ TEST(GotoLists, AreNotBeyondIceThatTheirWayDoesNotPassBelow) {
               testing::Not(Contains(HasSubstr("beyond the ice"))));
 }
 
-/// Ice far beside a way, or beyond what the plan looked at, is none of its waypoints' nearest.
+/// Ice far beside a route, or beyond the distance that the plan checks, is not the nearest ice of any
+/// waypoint.
 TEST(GotoLists, SayHowFarOffTheVehicleMayComeUpWhereNoIceIsKnown) {
   planning::Plan plan = plan_below_ice(3, {});
   for (std::size_t i = 0; i < 3; ++i)
@@ -417,7 +418,8 @@ void set_legs(planning::Plan& plan, core::Seconds each, const std::vector<double
   }
 }
 
-/// Against a current that was ahead on the list before the vehicle takes itself to be slower than it is.
+/// If the current was against the vehicle on the list before, the vehicle assumes that it is slower than it
+/// is.
 TEST(GotoLists, SayHowMuchLongerTheVehicleIsUnderWayByItsOwnReckoning) {
   planning::Plan plan = plan_below_ice(3, {});
   set_legs(plan, core::Seconds{20'000.0}, {0.0, -0.125, 0.0});
@@ -444,7 +446,7 @@ TEST(GotoLists, OfAPlanThatDoesNotTellItsCurrentsSaySo) {
   EXPECT_THAT(messages::sentences(write_goto_lists(plan, {})->messages), testing::Not(says));
 }
 
-/// Against a current that it has not measured the vehicle is off by as far as that carries it, too.
+/// A current that the vehicle has not measured adds its displacement to the position error.
 TEST(GotoLists, CountWhatTheCurrentsOfThePlanCarryTheVehicle) {
   planning::Plan plan = plan_out_of_the_ice();
   for (std::size_t i = 0; i < 3; ++i) {
@@ -462,7 +464,8 @@ TEST(GotoLists, CountWhatTheCurrentsOfThePlanCarryTheVehicle) {
       << "the second list begins where the current of the first one is known";
 }
 
-/// Who takes a current that helps for none has farther to go by its own reckoning, and goes on for longer.
+/// A vehicle that does not know of a current from astern assumes that it has farther to go, and goes on for
+/// longer.
 TEST(GotoLists, CountThatTheVehicleGoesOnUntilItTakesItselfToBeThere) {
   planning::Plan plan = plan_out_of_the_ice();
   set_legs(plan, core::Seconds{10'000.0}, {0.25, 0.25, 0.25});
@@ -525,7 +528,7 @@ TEST(GotoLists, EndEarlierThanTheyMustWhereThatIsFartherFromTheIce) {
   EXPECT_THAT(ends_of(*lists), ElementsAre(7u, 13u));
 }
 
-/// What is uncertain of an iceberg is in its disc: the error of position does not count once more.
+/// The disc of an iceberg already includes its position error, so the error is not added again.
 TEST(GotoLists, KeepTheirRadiusAloneFromAnIcebergThatTheyPassUnder) {
   planning::Plan plan = plan_below_ice(3, {});
   for (std::size_t i = 0; i < 3; ++i) {

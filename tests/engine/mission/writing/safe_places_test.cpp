@@ -19,7 +19,8 @@ constexpr double open_limit = 0.1;
 constexpr geo::LonLat refuge{-53.0, 69.0};
 constexpr double day_s = 86400.0;
 
-/// A route of a day. At its end the battery is good for 302 km more, and at its start for the farthest distance allowed.
+/// A route of one day. At its end the battery lasts for 302 km more, at its start for the farthest distance
+/// allowed.
 planning::Plan one_day() {
   planning::Plan plan = plan_of({{-53.1, 69.0}, {-52.5, 69.0}});
   plan.arrival = plan.departure + core::Seconds{day_s};

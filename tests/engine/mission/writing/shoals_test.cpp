@@ -78,7 +78,7 @@ TEST(Shoals, OfAnyLegAreNoDeeperThanTheBedAnywhereOnIt) {
       const core::Metres along{support::uniform(rng, 0.0, leg.length.value)};
       const auto here =
           rough.shoalest(geo::geodesic_destination(plan.waypoints[0].place, leg.course_at_start, along));
-      // Between two looks at 25 m the bed, which slopes by less than 0.2, rises by less than 3 m.
+      // The slope of the bed is less than 0.2, so between two samples 25 m apart it rises by less than 3 m.
       EXPECT_GT(here->value, shoal->bed.value - 3.0);
     }
   });

@@ -97,7 +97,7 @@ TEST(Isobath, LiesWhereTheSeaBedIsThatDeepAndPartsAllThatIsDeeper) {
       pieces += line.size() - 1;
       for (const geo::LonLat place : line) {
         const auto depth = bed.depth(place);
-        if (!depth) continue;  // by rounding, a missing node's cell
+        if (!depth) continue;  // rounding has put the place into the cell of a missing node
         EXPECT_NEAR(depth->value, level_m, 0.01);
       }
     }

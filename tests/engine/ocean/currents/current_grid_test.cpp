@@ -18,7 +18,7 @@ const Axis levels{{0.0, 10.0, 50.0}};
 
 core::UtcTime hour(double hours) { return core::from_unix_seconds(first_time_s + 3600.0 * hours); }
 
-/// A different number for each sample, not to be had by mixing others.
+/// A different number for each sample, which no mean of other samples gives.
 float scrambled(SampleIndex i) {
   const auto n = static_cast<double>(i.ix + 4 * (i.iy + 3 * (i.level + 3 * i.time)));
   return static_cast<float>(std::sin(12.9898 * n));

@@ -46,7 +46,7 @@ std::shared_ptr<const TidalCurrents> a_tide(std::mt19937_64& rng) {
       small_grid(), models, TidalCurrents::Times{core::from_unix_seconds(0.0), core::Seconds{600.0}, 13});
 }
 
-/// What a column says of its uppermost level.
+/// Expects the value that the column gives for its uppermost level.
 void expect_as_columns(const CurrentGrid& currents) {
   for (std::size_t time = 0; time < currents.times_s().size(); ++time) {
     const CurrentRows part{currents, time, 1, 2};

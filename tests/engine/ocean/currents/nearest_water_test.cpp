@@ -11,7 +11,7 @@
 namespace floeplan::ocean {
 namespace {
 
-/// Water fills half of the grid, south-west of a diagonal, as a bent grid fills its box.
+/// Water only in the half of the grid south-west of a diagonal, as a bent grid fills only a part of its box.
 bool is_in_the_model(geo::LonLat place) {
   return (place.lon_deg + 56.0) / 6.0 + (place.lat_deg - 67.5) / 3.0 < 1.0;
 }

@@ -142,7 +142,7 @@ TEST(CurrentsWithATide, AreTheSumOfBoth) {
     const auto current = both.at(place, core::Metres{50.0}, time);
 
     ASSERT_TRUE(current);
-    // What a straight line between two steps misses: 2 x 0.7 m/s x (1.4e-4 x 600)^2 / 8.
+    // The error of linear interpolation between two steps: 2 x 0.7 m/s x (1.4e-4 x 600)^2 / 8.
     EXPECT_NEAR(current->east.value,
                 0.2 + tide::predict(*joined_constants(models, TideQuantity::east, place), time), 2e-3);
     EXPECT_NEAR(current->north.value,
