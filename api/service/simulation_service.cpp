@@ -158,7 +158,7 @@ core::Seconds longest_of(const SimulateInputs& inputs, const planning::Plan& pla
   return inputs.longest.value_or(3.0 * plan.travel_time() + core::Seconds{86400.0});
 }
 
-/// What all runs of a batch share.
+/// The data that all runs of a batch share.
 class Batch {
  public:
   Batch(const SimulateInputs& inputs, const FlownPlan& flown, const simulation::MissionOrders& orders,

@@ -5,12 +5,13 @@
 #include "engine/messages/kind.hpp"
 #include "engine/messages/sentence.hpp"
 
-/// What a pilot is told of a simulated flight: what is not simulated as the files ask for it, and why the flight ended.
+/// Messages to the pilot about a simulated flight: orders in the files that are not simulated, and why the
+/// flight ended.
 /// Ranks    all are notes: nothing was flown at sea
 namespace floeplan::messages {
 
 inline constexpr auto flight_kinds = std::to_array<Kind>({
-    // What the simulator does otherwise than the vehicle.
+    // Differences between the simulator and the vehicle.
     {.code = "sampling-not-simulated",
      .rank = Rank::note,
      .text = "The simulator does not switch sensors on and off. Their energy is that of the vehicle "

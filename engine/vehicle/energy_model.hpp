@@ -7,7 +7,7 @@
 
 namespace floeplan::vehicle {
 
-/// What a glider draws from its battery.
+/// The energy that a glider draws from its battery.
 /// Source  of the defaults: P. Welch, Oregon State University, GliderSimulator (github.com/mousebrains/
 ///         GliderSimulator, energy.json and extractEnergy.m), fits to the coulomb counters of ten Slocum G3
 ///         deployments of 2018 and 2019. Hotel: mean of 1.31 W diving and 1.00 W climbing. Pumping out one

@@ -31,7 +31,8 @@ struct DatasetsFlags {
   bool dry_run{false};
 };
 
-/// What a new ingest of a dataset's file gives, or gave, if an earlier version misread or resampled the file; else "".
+/// The gain of a new ingest of the dataset's file, if an earlier version misread or resampled the file;
+/// otherwise "".
 std::string mark_of(const repository::Dataset& dataset, const std::vector<repository::Dataset>& all) {
   if (dataset.outdated) return "outdated: " + dataset.warnings.back();
   if (!repository::was_resampled(dataset.warnings)) return "";

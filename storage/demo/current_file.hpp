@@ -18,7 +18,7 @@ struct CurrentLayer {
   std::vector<bool> masked;
 };
 
-/// What a currents file holds beside its values.
+/// The contents of a currents file except its values.
 struct CurrentFile {
   std::string title;
   std::string comment;

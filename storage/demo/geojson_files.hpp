@@ -14,7 +14,7 @@ namespace floeplan::demo {
 /// Errors   std::runtime_error when the file cannot be written
 void write_icebergs(const std::filesystem::path& file, const std::vector<ocean::Iceberg>& icebergs);
 
-/// What a coastline file says about its origin; the source may be empty.
+/// The statements of a coastline file about its origin; the source may be empty.
 struct CoastlineOrigin {
   std::string name;
   std::string description;

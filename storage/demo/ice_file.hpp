@@ -17,7 +17,7 @@ struct IceLayer {
   std::vector<bool> masked;
 };
 
-/// What an ice file holds beside its values.
+/// The contents of an ice file except its values.
 struct IceFile {
   std::string title;
   std::string comment;

@@ -22,7 +22,7 @@ namespace floeplan::ingest {
 
 struct DataFormat;
 
-/// What the program looks at to recognise a format.
+/// The parts of a file by which its format is recognised.
 struct FileStart {
   std::string_view bytes{};  // the first bytes of the file; of a UTF-8 text without its byte order mark
   // the user said that the file holds icebergs; a table then needs no column that says so
@@ -32,7 +32,7 @@ struct FileStart {
   [[nodiscard]] std::string_view first_line() const { return bytes.substr(0, bytes.find('\n')); }
 };
 
-/// What the user said about the content of a file.
+/// Statements of the user about the content of a file.
 struct Expectation {
   std::optional<repository::DatasetKind> kind{};
   // the user said which kind of zones they are; polygons then need no property that says so

@@ -63,7 +63,7 @@ struct ServiceInfo {
   std::shared_ptr<repository::CurrentBlocks> current_blocks{};
 };
 
-/// What a resource needs to answer a request.
+/// The objects that a resource needs to answer a request.
 struct Context {
   sql::Connection& db;  // connection of this thread
   JobGateway& jobs;

@@ -20,7 +20,7 @@ namespace floeplan::mission {
 /// `margin_below_ice`  distance that the plan's turns keep below the keels of ice
 [[nodiscard]] core::Metres deepest_keel(const planning::Plan& plan, core::Metres margin_below_ice);
 
-/// What is above the vehicle at a waypoint.
+/// The ice above the vehicle at a waypoint.
 enum class Overhead {
   open,     // it may surface
   unknown,  // no ice data: it passes as in open water, but surfacing is not counted on

@@ -50,7 +50,7 @@ struct HoldOptions {
 [[nodiscard]] HoldFlight hold_flight(const planning::Plan& plan, std::size_t waypoint,
                                      const HoldOptions& options);
 
-/// What the pilot has to do at each hold of ten minutes or more, for formats whose files cannot order holds.
+/// Instructions to the pilot for each hold of ten minutes or more, for formats that cannot order holds.
 [[nodiscard]] std::vector<messages::Message> messages_without_holds(const planning::Plan& plan,
                                                                     const std::string& format);
 

@@ -36,7 +36,7 @@ class CurrentsShelf {
                            const plane::PlaneBox& area) const;
 
  private:
-  /// What limits the upper turn of the dives below ice.
+  /// The values that limit the upper turn of dives below ice.
   struct BelowIce {
     double max_concentration_to_surface;
     core::Metres margin;

@@ -10,9 +10,9 @@
 
 namespace floeplan::planning::obstacles {
 
-/// What is closed to a vehicle in the plane, and when. At all times: depth, land, standing zones, standing
-/// icebergs. For a while: timed zones and moving icebergs. A view: it borrows its parts, which must outlive
-/// it. Times count from the departure of the request.
+/// The places of the plane that are closed to a vehicle, and when. At all times: depth, land, standing zones,
+/// standing icebergs. For a while: timed zones and moving icebergs. A view: it borrows its parts, which must
+/// outlive it. Times count from the departure of the request.
 /// Threads  const members may be called from several threads at once
 class Closures {
  public:

@@ -10,7 +10,7 @@
 
 namespace floeplan::planning {
 
-/// What most of a large obstacle consists of.
+/// The kind of most of a large obstacle.
 enum class ObstacleKind : std::uint8_t { land, shallow_water, icebergs, closed_area, no_data };
 
 /// A route that passes a large obstacle on the other side than a given plan does.

@@ -32,7 +32,7 @@ struct Presence {
                                                                geo::PlanePoint from, geo::PlanePoint to,
                                                                Presence at, core::Seconds latest);
 
-/// What an isochrone search reached.
+/// The result of an isochrone search.
 struct Reached {
   std::vector<Presence> presences;   // ordered by vertex, then by time
   std::vector<std::uint32_t> first;  // index of each vertex's first presence; one more entry at the end

@@ -24,7 +24,7 @@ struct FoundWay {
   bool touches_rim{false};  // the route follows the rim of a grid, so a better one may lie outside
 };
 
-/// What is known from earlier departures, or from other searches, on the same grids.
+/// Results of earlier departures, or of other searches, on the same grids.
 struct OtherDepartures {
   const FoundWay* way{};                 // route of one of the other departures
   std::vector<Foresight>* foresights{};  // one for each grid

@@ -51,7 +51,7 @@ struct FlightRequest {
 /// it can be flown.
 [[nodiscard]] core::Violations violations(const FlightRequest& request);
 
-/// What the models of the sensors may use at a step. The vehicle's own computer uses only `own`.
+/// The state that the models of the sensors may use at a step. The vehicle's own computer uses only `own`.
 struct FlightView {
   const World& world;
   const TrueState& truth;

@@ -29,7 +29,7 @@ class MissionPilot {
  public:
   enum class Phase { at_surface, diving, climbing, surfacing, done };
 
-  /// What the vehicle knows at a step.
+  /// The values that the vehicle knows at a step.
   struct Known {
     core::UtcTime time{};
     Vector place{};  // by dead reckoning or fix; its depth by the pressure sensor

@@ -11,7 +11,8 @@
 
 namespace floeplan::simulation {
 
-/// What straight rays of sound meet in a world at one instant: bodies, sea bed, sea ice and the open surface.
+/// The surfaces that straight rays of sound meet in a world at one instant: bodies, sea bed, sea ice and the
+/// open surface.
 /// Model    the ice is level over the length of a ray; the sea bed is that of a LocalBed
 /// Memory   keeps a buffer for the bodies within reach
 /// Threads  one at a time

@@ -9,7 +9,7 @@
 
 namespace floeplan::ingest {
 
-/// What the user states about a file and the file does not.
+/// Statements of the user about a file that the file itself does not make.
 struct IngestOptions {
   std::optional<std::string> name{};              // default: the file's name without its ending
   std::optional<repository::DatasetKind> kind{};  // default: recognised by content

@@ -54,7 +54,7 @@ struct EnvironmentQuery {
 /// begin later.
 [[nodiscard]] core::UtcTime sightings_as_of(const EnvironmentQuery& query);
 
-/// What reading the store for a job needs besides the store.
+/// The objects that a job needs, besides the store, to read the store.
 struct Reading {
   std::stop_token stop{};
   CurrentGridCache* kept_currents{nullptr};  // borrowed; null: nothing is cached

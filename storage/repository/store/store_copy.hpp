@@ -7,7 +7,7 @@
 
 namespace floeplan::repository {
 
-/// What a copy of a store has.
+/// The result of copying a store.
 struct CopiedStore {
   std::int64_t rows{};
   std::int64_t datasets{};

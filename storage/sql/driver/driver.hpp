@@ -58,7 +58,7 @@ class PreparedStatement {
 /// many machines use.
 enum class Engine { embedded, server };
 
-/// What other connections have announced.
+/// The notices of other connections.
 struct Announced {
   std::vector<std::string> texts;  // oldest first
   bool missed{false};              // the connection was lost for a while, and more may have been announced

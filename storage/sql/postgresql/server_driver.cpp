@@ -9,7 +9,7 @@
 namespace floeplan::sql::postgresql {
 namespace {
 
-/// Who has to wait for another does so for ten seconds; what was committed survives a power cut.
+/// A statement waits at most ten seconds for a lock. A committed change survives a power cut.
 constexpr const char* session_settings =
     "SET lock_timeout = '10s'; SET synchronous_commit = on; SET client_min_messages = warning; "
     "SET default_transaction_isolation = 'read committed'";

@@ -8,7 +8,7 @@
 
 namespace floeplan::sql::postgresql {
 
-/// What the server said of a statement that failed, or of a connection that was lost, as a failure of ours.
+/// The failure for a statement that the server refused, or for a lost connection.
 /// `name`  the database's and its server's, for a person
 [[nodiscard]] Failure failure_of(const PGresult* result, const PGconn* connection, const std::string& name);
 

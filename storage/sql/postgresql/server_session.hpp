@@ -55,7 +55,7 @@ class ServerSession {
   /// A new session takes the place of one that was lost, but never within a transaction: what follows there must not be
   /// kept alone.
   void reconnect_if_lost();
-  /// What was announced and not given out yet.
+  /// Notices that were received and not yet returned.
   [[nodiscard]] std::vector<std::string> received();
   /// The name of a statement that the server has parsed.
   [[nodiscard]] std::string parsed(const std::string& sql, const std::vector<Oid>& types);

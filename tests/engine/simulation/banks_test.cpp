@@ -47,7 +47,7 @@ TEST(Bank, ThatRisesGentlyIsFlownOverOnTheRoute) {
   expect_flown_over(sea_over(graded_bed(depth_m)), "from 110 to 35 m in 600 m");
 }
 
-/// Nearly upright: what is heard of it steeply above must not be taken for ice to dive under.
+/// A nearly upright bank: its echoes from steeply above must not count as ice to dive under.
 TEST(Bank, ThatRisesLikeAWallIsGoneRound) {
   const auto depth_m = [](double east_m, double north_m) {
     const double outside_m = std::max({620.0 - east_m, east_m - 820.0, std::abs(north_m) - 150.0});
@@ -68,7 +68,8 @@ TEST(Bank, WithoutEndIsNotRunOnto) {
   EXPECT_GT(nearest_m(record, "sea bed"), 5.0);
 }
 
-/// The current sets onto it at half the vehicle's speed, which neither plan nor vehicle know.
+/// The current sets onto the bank at half the speed of the vehicle; neither the plan nor the vehicle knows
+/// it.
 TEST(Bank, BesideTheRouteIsNotBlownOnto) {
   const CurrentErrorField error{
       {.rms = {0.2}, .length_scale = {50'000.0}, .depth_scale = {1000.0}, .time_scale = core::Seconds{1e6}},

@@ -9,8 +9,8 @@
 #include "tests/engine/simulation/graded_bed.hpp"
 #include "tests/engine/simulation/guided.hpp"
 
-/// Situations made by hand in which a simpler system is lost, in the closed loop of flight model, sensors, mission and
-/// the system on board.
+/// Situations made by hand in which a simpler system fails, in the closed loop of flight model, sensors,
+/// mission and the system on board.
 namespace floeplan::simulation::traps_test {
 namespace {
 
@@ -112,7 +112,7 @@ TEST(TrapInTheLoop, CeilingOfIceIsPassedUnder) {
   EXPECT_GT(nearest_m(record, "berg"), 2.0);
 }
 
-/// There is no way up at the goal: the vehicle goes back to open water.
+/// The vehicle cannot surface at the goal, so it goes back to open water.
 TEST(TrapInTheLoop, CeilingOfIceOverTheGoalIsLeftByWhereItWasEntered) {
   const World world =
       sea_with({body("berg", {block(0.0, 0.0, 1500.0, 1500.0, 25.0)}, 2200.0, 25.0, {2300.0, 0.0, 0.0})});

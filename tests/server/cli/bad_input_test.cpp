@@ -76,7 +76,7 @@ TEST(BadInput, ARequestFileThatIsNotJsonSaysWhere) {
   EXPECT_THAT(large.err, HasSubstr("too large"));
 }
 
-/// Law: what is wrong inside a file of input data ends the program alike, however early it is seen.
+/// Law: every fault inside a file of input data gives the same exit code, however early it is found.
 TEST(BadInput, ARequestFileOfAnotherShapeIsBadData) {
   const Program program;
   const std::filesystem::path file = program.folder() / "request.json";
@@ -170,8 +170,8 @@ std::vector<std::string> flags_with_a_number(const Program& program,
   return flags;
 }
 
-/// Law: no flag that takes a number counts as absent where its value is empty, as from a variable of a script that
-/// nobody set.
+/// Law: a flag that takes a number does not count as absent if its value is empty, for example from an unset
+/// variable of a script.
 TEST(BadInput, AnEmptyNumberInAnyFlagIsWrongUsage) {
   const Program program;
   std::size_t flags = 0;
@@ -261,7 +261,7 @@ TEST(Options, MayComeFromAFile) {
   EXPECT_THAT(outcome.err, Not(HasSubstr("--depart")));
 }
 
-/// With a mistyped path a plan would lead through an empty sea.
+/// Otherwise a plan with a mistyped path would lead through a sea without data.
 TEST(BadInput, AFolderThatIsNotThereIsNoStore) {
   const Program program;
   std::filesystem::remove(program.store());
@@ -276,7 +276,7 @@ TEST(BadInput, AFolderThatIsNotThereIsNoStore) {
   EXPECT_FALSE(std::filesystem::exists(program.store()));
 }
 
-/// Law: every command that takes the id of a plan ends alike where there is none.
+/// Law: every command that takes the id of a plan gives the same answer if no plan has this id.
 TEST(BadInput, APlanThatIsNotStoredIsNamed) {
   const Program program;
   for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{

@@ -92,7 +92,7 @@ TEST_F(DamagedStore, IsNamedServedAroundAndRepaired) {
   EXPECT_EQ(served.get("/collections/nogo-zones/items").status, 200);
 }
 
-/// SQLite takes the log away with the last connection: another program must not take itself for that.
+/// SQLite removes the log with the last connection, and another program must not count as the last one.
 TEST_F(DamagedStore, IsLeftAsItIsByProgramsThatComeAndGoBesideItsServer) {
   const support::ServedProgram served{program_.store()};
   for (const char* const command : {"datasets", "verify"}) {

@@ -132,7 +132,7 @@ TEST_F(DemoCli, WaitsForTheTideInTheStraitHoweverEarlyItDeparts) {
   double waited_s = 0.0;
   for (const json& waypoint : tidal["waypoints"]) waited_s += waypoint["wait_s"].get<double>();
   EXPECT_GT(waited_s, 1'800.0) << tidal["waypoints"];
-  // Two hours earlier, an earlier part of the same slack is caught at most.
+  // Two hours earlier, the plan can at most use an earlier part of the same slack water.
   const double gained_s = arrival_s(plan(late, {})) - arrival_s(tidal);
   EXPECT_GT(gained_s, -900.0);
   EXPECT_LT(gained_s, 3'600.0);

@@ -44,7 +44,7 @@ class DemoStore : public testing::Test {
     program_ = nullptr;
   }
 
-  /// The demonstration currents have a step an hour.
+  /// The demonstration currents have one step per hour.
   static std::string time(int step) { return core::iso8601(*start_ + core::Seconds{3600.0 * step}); }
   static support::Outcome plan(std::vector<std::string> more) {
     more.insert(more.begin(), {"plan", "--from", from, "--to", to, "--json"});
@@ -131,7 +131,7 @@ TEST_F(DemoStore, DrawsWhatCanBeReachedAndFromWhere) {
   EXPECT_EQ(back.json()["features"][0]["properties"]["time"], time(6));
 }
 
-/// Law: what the help of a command offers, its process takes.
+/// Law: the process of a command accepts every flag in the help of the command.
 TEST_F(DemoStore, OffersNoFlagForReachThatReachRefuses) {
   const std::string help = program_->run({"reach", "--help-all"}).out;
   for (const char* flag : {"--objective", "--thruster", "--require-battery", "--max-loiter",

@@ -22,7 +22,7 @@ std::string output_of(const std::string& command) {
   return text;
 }
 
-/// An empty or relative element of it is the folder that somebody happens to stand in.
+/// An empty or relative element of this path would be the current folder.
 TEST(BuiltPrograms, LookForLibrariesWhereTheSystemHasThemAlone) {
   for (const char* const program : {"floeplan", "ingest_reader"}) {
     const std::string dynamic =

@@ -118,7 +118,7 @@ TEST(Serve, RefusesADamagedStore) {
   EXPECT_EQ(program.run({"serve", "--listen", "127.0.0.1:0"}).exit_code, 1);
 }
 
-/// By the scripts, as an operator would.
+/// With the scripts that operators use.
 TEST(BackupScripts, BringBackWhatWasThereWhenTheCopyWasMade) {
   const Program program;
   const fs::path store = program.folder() / "store";

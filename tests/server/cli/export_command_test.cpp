@@ -20,7 +20,7 @@ using support::Outcome;
 using support::Program;
 using ::testing::HasSubstr;
 
-/// A plan in a sea of which nothing is known.
+/// A plan in a sea without data.
 std::string planned(const Program& program, const std::string& from = "--from=-53,69") {
   const Outcome plan =
       program.run({"plan", from, "--to=-52.75,69.05", "--depart", "2026-11-22T06:00:00Z", "--json"});
@@ -104,7 +104,7 @@ TEST(Export, IsReadBackEvaluatedAndPlannedAnew) {
   EXPECT_NEAR(again.json()["waypoints"].back()["lon"].get<double>(), -52.75, 1e-6);
 }
 
-/// Icebergs that nobody has seen for too long may still be on the way.
+/// Icebergs whose sightings are too old may still be on the route.
 TEST(Export, AsksToConfirmAPlanThatIgnoresIcebergsForTheirAge) {
   const Program program;
   const fs::path bergs = program.folder() / "bergs.csv";
@@ -135,7 +135,7 @@ TEST(Export, AsksToConfirmAPlanThatIgnoresIcebergsForTheirAge) {
   EXPECT_THAT(written.err, HasSubstr("danger: 1 of 1 iceberg"));
 }
 
-/// Land that comes up on the way after the plan was made.
+/// Land on the route that was ingested after the plan was made.
 TEST(Export, RefusesAPlanThatNewerDataClose) {
   const Program program;
   const std::string id = planned(program);
@@ -159,7 +159,7 @@ TEST(Export, RefusesAPlanThatNewerDataClose) {
   EXPECT_EQ(program.run(accepted).exit_code, 1) << "nor the reverse";
 }
 
-/// Every way out of the store is guarded alike, but for the brief, which prints the danger itself.
+/// Every export of a plan asks for this confirmation, except the printed page, which shows the danger itself.
 TEST(Export, RefusesSuchAPlanInEveryFormatOfAVehicleOrChart) {
   const Program program;
   const std::string id = planned(program);
@@ -216,7 +216,7 @@ TEST(Export, WritesASeaglidersFilesForItsBaseStation) {
   EXPECT_EQ(program.run({"export", id, "--science", "20:5:1110:60"}).exit_code, 2);
 }
 
-/// Read by a program that shares nothing with ours.
+/// Read by an independent program.
 TEST(Export, WritesAnImcPlanThatOthersRead) {
   const Program program;
   const Outcome plan = program.run(
@@ -290,7 +290,7 @@ TEST(RoundTrip, KeepsTheGoalsOfRealLists) {
     for (const json& file : lists)
       for (const json& place : file["waypoints"]) flown.push_back(place);
     auto next = flown.begin();
-    for (std::size_t i = 1; i < goals.size(); ++i) {  // the first is where the vehicle is
+    for (std::size_t i = 1; i < goals.size(); ++i) {  // the first is the place of the vehicle
       const auto is_goal = [&](const json& place) {
         return std::abs(place["lon"].get<double>() - goals[i]["lon"].get<double>()) < 2e-6 &&
                std::abs(place["lat"].get<double>() - goals[i]["lat"].get<double>()) < 2e-6;

@@ -27,7 +27,7 @@ std::string bytes_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>{in}, {}};
 }
 
-/// The gallery of hostile files, handed to a server whose own store is among what they are after.
+/// The gallery of hostile files, uploaded to a server. Some of the files try to reach its own store.
 class HostileUploads : public testing::Test {
  protected:
   HostileUploads() {
@@ -49,7 +49,7 @@ class HostileUploads : public testing::Test {
     return names;
   }
 
-  /// Sends one of them and has it ingested; whatever becomes of it is removed again.
+  /// Uploads one of the files and ingests it; a dataset made of it is removed again.
   void send(const support::ServedProgram& served, const json& hostile) const {
     json inputs{{"uploads", json::array()}, {"positive", "up"}};
     for (const std::string file : hostile.at("files")) {

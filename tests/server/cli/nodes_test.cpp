@@ -75,7 +75,7 @@ TEST_F(Nodes, ShareTheirJobsAndEachSeesThemEnd) {
   EXPECT_EQ(first.get("/jobs/" + id + "/results").body, second.get("/jobs/" + id + "/results").body);
 }
 
-/// A client waits at one node for what another one does, and is told as soon as it ends.
+/// A client waits at one node for a job of another node, and gets the answer as soon as the job ends.
 TEST_F(Nodes, AnswerAWaitingClientWhenAnotherNodeHasDoneItsJob) {
   const support::ServedProgram server{node("server"), {"--workers", "0"}};
   const support::ServedProgram working{worker("working")};
@@ -233,7 +233,7 @@ TEST_F(Nodes, HaveTheWholeStoreThatIsCopiedFromAFolder) {
   EXPECT_EQ(list(folder), list(back));
 }
 
-/// A role that may not change tables works on a store that its owner has prepared.
+/// A role that may not change tables can use a store that its owner has prepared.
 TEST_F(Nodes, WorkByARoleThatChangesNoTable) {
   const std::string role = "node_" + std::to_string(getpid());
   auto owner = sql::Connection::open_at_server(std::getenv("FLOEPLAN_TEST_SERVER"));

@@ -33,7 +33,7 @@ void ingest(const Program& program, const std::vector<std::string>& samples) {
   for (const json& dataset : outcome.json()["datasets"]) EXPECT_EQ(dataset["status"], "stored");
 }
 
-/// Places and times of a plan, without what tells one run from another.
+/// Places and times of a plan, without the values that differ from run to run.
 json course_of(const json& plan) {
   json course;
   for (const json& waypoint : plan["waypoints"]) course.push_back({waypoint["lon"], waypoint["lat"]});

@@ -128,7 +128,7 @@ data:
   Va = 5, 6, 7, 8; Vg = 30, 10, 350, 330;
 })";
 
-/// How a pass over all requests runs the program.
+/// How the program is run for all requests.
 struct Manner {
   std::string environment;
   std::string flags;
@@ -154,14 +154,14 @@ std::string spelled_out(std::string request, const std::string& plan) {
   return request;
 }
 
-/// `answer` but for how long it was computed, and the id of a simulation, which is made of the plan's document with that.
+/// `answer` without its computing time, and without the id of a simulation, which depends on that time.
 std::string timeless(const std::string& answer) {
   static const std::regex of_computing{
       R"re(("(seconds|real_time_factor|simulation_id)": ?)("s[0-9a-f]+"|[-+.e0-9]+))re"};
   return std::regex_replace(answer, of_computing, "$1-");
 }
 
-/// What the program answers to each request, on a copy of the store, which receives the plans.
+/// The answers of the program to all requests, on a copy of the store, in which the plans are stored.
 template <class Requests>
 std::vector<std::string> answers(const Requests& requests, const fs::path& store, const fs::path& copy,
                                  const Manner& manner) {
@@ -256,8 +256,8 @@ TEST_F(SameBytes, ComeFromEveryProcessorAmongIceAndIcebergs) {
   expect_same_answers(in_the_bay);
 }
 
-/// What the program leaves to the C library of all that <math.h> declares: each of these has one version there, or
-/// returns the exact value (tests/engine/elementary compares their bits).
+/// The functions of <math.h> that the program takes from the C library. Each of them has only one version
+/// there, or returns the exact value (tests/engine/elementary compares their bits).
 TEST(ProgramsImports, OfTheMathematicsLibraryDoNotVaryByProcessor) {
   const std::set<std::string> alike{
       "cabs",      "cabsf", "cbrt",   "ceil",   "ceilf",   "feraiseexcept", "floor",      "floorf",

@@ -25,7 +25,7 @@ std::string zone(const std::string& name, double west_deg) {
          ",68.99],[" + east + ",69.01],[" + west + ",69.01],[" + west + R"(,68.99]]]}}]})";
 }
 
-/// What depends on the machine and the moment is taken out.
+/// The document without the values that depend on the machine and the time.
 json lasting(json document) {
   if (document.is_object()) {
     for (const char* name : {"seconds", "created", "ingested", "generated"}) document.erase(name);
@@ -68,7 +68,7 @@ class SameOverHttp : public testing::Test {
     EXPECT_EQ(answer.status, 200) << answer.body;
     return lasting(answer.json());
   }
-  /// What the command line prints for a plan round the zone.
+  /// The output of the command line for a plan round the zone.
   [[nodiscard]] std::string planned(const std::string& goal) const {
     return printed({"plan", "--from=-53.2,69", "--to=" + goal, "--depart", "2026-11-22T06:00:00Z",
                     "--spacing", "1000", "--no-refine"})

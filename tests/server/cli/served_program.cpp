@@ -35,7 +35,8 @@ std::uint16_t read_port(int descriptor) {
   throw std::runtime_error{"the server ended before it listened: " + text};
 }
 
-/// Keeps the other end from filling up while the server runs. The log is there when this returns.
+/// Reads the output, so that the pipe does not fill up while the server runs. The log file exists when this
+/// returns.
 /// Returns  the process that reads
 pid_t drain_in_background(int descriptor, const std::filesystem::path& log) {
   const int file = log.empty() ? -1 : open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);

@@ -84,7 +84,7 @@ TEST_F(UnderIceCli, BoundsTheTimeWithoutASurfacingAndSaysSoOfEveryWaypoint) {
   }
 }
 
-/// One sum of the stretches below ice, whoever prints it.
+/// Every output has the same sum of the stretches below ice.
 TEST_F(UnderIceCli, SaysInEveryOutputHowLongItIsBelowIce) {
   const Outcome outcome = plan({"--max-leg", "60000", "--no-refine"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;

@@ -101,7 +101,7 @@ TEST_F(Upgrade, KnowsItsTokensAndRunsTheJobThatWasAccepted) {
   EXPECT_EQ(accepted.at("status"), "successful") << accepted;
 }
 
-/// Earlier versions said so among the dataset's warnings, and nowhere else.
+/// Earlier versions stated this only among the warnings of the dataset.
 TEST_F(Upgrade, MarksWhatAnEarlierVersionResampled) {
   repository::Dataset resampled{.id = {"bathymetry-0badcafe"}, .kind = repository::DatasetKind::bathymetry};
   resampled.provenance.sha256 = "0badcafe";

@@ -22,7 +22,7 @@ const char* const zone = R"({"type": "FeatureCollection", "features": [{"type": 
   "properties": {"name": "Range"}, "geometry": {"type": "Polygon",
   "coordinates": [[[-53.1, 68.9], [-52.8, 68.9], [-52.8, 69.1], [-53.1, 68.9]]]}}]})";
 
-/// What a report says of the data, without the moment at which they were stored.
+/// The report on the data, without the time of storing.
 json without_moment(json report) {
   for (json& file : report.at("datasets")) file.erase("ingested");
   return report;

@@ -40,7 +40,7 @@ TEST(WordsOfFlags, LeaveWhatWasGivenAsItWasWritten) {
       << "a command without fields";
 }
 
-/// Law: whatever is wrong, somebody who wrote flags reads no pointer, no array and no member in quotes.
+/// Law: no message to a user who wrote flags has a JSON pointer, an array or a member in quotes.
 TEST(WordsOfFlags, HoldNoJson) {
   std::vector<std::string> sentences;
   for (const char* text :

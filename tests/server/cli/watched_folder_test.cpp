@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// Does not say which way is up, and is refused.
+/// Does not say whether values are depths or elevations, so it is refused.
 const char* const bed =
     "ncols 3\nnrows 2\nxllcorner 0\nyllcorner 50\ncellsize 0.5\n-900 -800 70\n-600 -5 4\n";
 

@@ -75,7 +75,7 @@ TEST(StrictHead, FindsTheEndHoweverTheBytesCome) {
   });
 }
 
-/// A control character in any place is refused, or the header is not complete yet.
+/// A header with a control character is refused, or it is not complete yet.
 TEST(StrictHead, TakesNoControlCharacterAnywhere) {
   for (std::size_t at = 0; at < good.size(); ++at) {
     for (const char c : {'\0', '\x01', '\x0b', '\x7f', '\r', '\n'}) {

@@ -141,7 +141,7 @@ TEST_F(WorkerPoolTest, KeepsARunningJobHoweverTheClockIsSet) {
 }
 
 TEST_F(WorkerPoolTest, WritesTheResultDownOnceTheStoreTakesItAgain) {
-  // FAIL, other than ABORT, leaves what was done before it.
+  // FAIL, unlike ABORT, keeps the changes made before it.
   sql::execute(db_, R"(CREATE TABLE tried (n INTEGER) STRICT;
     CREATE TRIGGER no_room BEFORE UPDATE OF status ON job WHEN new.status = 'successful' BEGIN
       INSERT INTO tried VALUES (1); SELECT RAISE(FAIL, 'no room'); END)");

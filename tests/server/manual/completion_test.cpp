@@ -21,7 +21,7 @@ bool is_there(const std::string& program) {
   return std::system(("command -v " + program + " > /dev/null").c_str()) == 0;
 }
 
-/// What bash offers at the end of the words.
+/// The completions that bash offers at the end of the words.
 std::string offered(const std::string& words) {
   const support::TemporaryFolder folder;
   std::ofstream{folder.path() / "script"} << completion("bash", commands()) << "COMP_WORDS=(" << words
@@ -58,7 +58,7 @@ TEST_P(Completion, IsAScriptThatItsShellReads) {
 INSTANTIATE_TEST_SUITE_P(Shells, Completion, testing::ValuesIn(shells()),
                          [](const auto& shell) { return shell.param; });
 
-/// What fish offers at the end of the words, a line each, without descriptions.
+/// The completions that fish offers at the end of the words, one on each line, without descriptions.
 TEST(FishCompletion, OffersCommandsAndThenTheirFlags) {
   if (!is_there("fish")) GTEST_SKIP() << "fish is not installed";
   const support::TemporaryFolder folder;

@@ -12,7 +12,7 @@ using testing::Optional;
 const std::vector<std::string> commands{"plan",    "evaluate", "reach",   "compare",
                                         "recheck", "ingest",   "datasets"};
 
-/// What the parser makes of words that it refuses.
+/// The message about an unknown word among words that the parser refuses; empty if they have another fault.
 std::optional<std::string> refused(std::vector<std::string> words) {
   support::SmallProgram program;
   program.app.require_subcommand(1);

@@ -12,7 +12,7 @@
 namespace floeplan::manual::usage_fault_test {
 namespace {
 
-/// What a person is told of words that the parser refuses.
+/// The message to the user for words that the parser refuses.
 std::string told(std::vector<std::string> words) {
   support::SmallProgram program;
   program.app.require_subcommand(1);

@@ -24,7 +24,7 @@ std::vector<bool> banks() {
 const Gate west_end{{-51.0, 60.0, -50.981, 60.21}, 1.0};
 const Gate east_end{{-50.199, 60.0, -50.18, 60.21}, -1.0};
 
-/// What passes a meridian eastwards.
+/// The transport across a meridian, eastwards.
 double transport(const Flow& flow, std::size_t column) {
   double sum = 0.0;
   for (std::size_t r = 0; r < channel.rows; ++r) sum += flow.east[channel.index(column, r)];

@@ -17,7 +17,7 @@ using namespace std::string_literals;
 using repository::DatasetKind;
 using testing::HasSubstr;
 
-/// The beginning of a file of each format, as little as tells it; of a folder nothing.
+/// The shortest beginning of a file by which each format is recognised; nothing for folders.
 const std::map<std::string, std::string>& beginnings() {
   static const std::map<std::string, std::string> all{
       {"NetCDF", "\x89HDF\r\n\x1a\n" + std::string(64, '\0')},
@@ -99,7 +99,8 @@ TEST_F(FormatOf, ABagIsWalkedThroughBeforeAnythingOpensIt) {
   EXPECT_THAT(reason_of(format.error()), HasSubstr("cannot be read to its end"));
 }
 
-// A cut within the last number of a table leaves another number, so all tables of lines tell of an end that is missing.
+// If a table was cut short within its last number, the rest is another number. So a missing line end is
+// reported for every format of lines.
 TEST_F(FormatOf, ATextOfRowsHasLines) {
   for (const DataFormat& format : data_formats())
     EXPECT_EQ(format.has_lines, format.writing == Writing::text && format.together == Together::none)

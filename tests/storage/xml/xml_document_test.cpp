@@ -10,7 +10,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// What a document says, without its lines: how it was written must not matter.
+/// The content of a document without line numbers, which must not depend on how the document was written.
 std::string summary(const Element& element) {
   std::string text = element.name + "{";
   for (const auto& [name, value] : element.attributes) text += name + "=" + value + ";";

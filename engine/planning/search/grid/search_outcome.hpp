@@ -9,7 +9,7 @@
 
 namespace floeplan::planning::search {
 
-/// What a search over one grid found.
+/// The result of a search over one grid.
 struct RouteSearch {
   std::vector<geo::PlanePoint> path;  // start and goal included; empty when the goal was not reached
   core::Seconds arrival{INFINITY};    // at the end of the path; infinite: no path

@@ -59,7 +59,7 @@ struct SlocumName {
   int segment{};
 };
 
-/// What a log states apart from its rows.
+/// The statements of a log except its rows.
 struct SlocumLog {
   SlocumName name;
   std::array<bool, slocum_sensors.size()> has{};  // whether the log lists the sensor

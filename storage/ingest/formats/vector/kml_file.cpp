@@ -175,7 +175,7 @@ struct Placemark {
   Attributes attributes;
 };
 
-/// What a placemark takes over from the folders around it.
+/// The values that a placemark takes over from the folders around it.
 struct Around {
   TimeTexts time;
   std::string names;

@@ -24,7 +24,7 @@ constexpr std::size_t band_nodes = 4'000'000;
 
 using Rows = std::function<Checked<RawRows>(std::size_t, std::size_t)>;
 
-/// Of what the rows of a file hold.
+/// The numbers of columns and rows of a file; points of their own count as rows of one column.
 struct Sides {
   std::size_t columns{};
   std::size_t rows{};
@@ -204,7 +204,7 @@ Checked<void> write_at_own_points(const RawBathymetry& raw, const Survey& survey
   return {};
 }
 
-/// Where all rows are one band, they are kept rather than read again.
+/// If all rows fit into one band, they are kept and not read again.
 Rows kept_if_alone(Sides sides, Rows read) {
   if (rows_of_band(sides) < sides.rows) return read;
   return [kept = std::make_shared<std::optional<RawRows>>(), read = std::move(read)](

@@ -9,7 +9,7 @@
 namespace floeplan::ingest {
 namespace {
 
-/// What the faces of a model's cell have shown. `dry`: no face has shown water, and no mask or zero has shown
+/// The evidence of the faces of a model's cell. `dry`: no face has shown water, and no mask or zero has shown
 /// land.
 enum class Cell { dry, water, land };
 

@@ -6,7 +6,7 @@
 
 namespace floeplan::ingest {
 
-/// What moves: the sea, or the air 10 m above it.
+/// The moving medium: the sea, or the air 10 m above it.
 enum class Moving { sea, air };
 
 /// Whether wind at this height counts as wind 10 m above the sea.

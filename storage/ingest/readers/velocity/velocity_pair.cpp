@@ -25,7 +25,7 @@ std::optional<CandidatePair> best_of(const std::vector<VelocityCandidate>& candi
   return pairs.front();
 }
 
-/// What a variable holds that is not stored, in words; empty if it could be stored.
+/// The content of a variable that is not stored, in words; empty if it could be stored.
 std::string left_out_words(const VelocityMeaning& meaning, Moving what) {
   if (!meaning.instead.empty()) return meaning.instead;
   if (what == Moving::sea && meaning.part == WaterPart::bed) return "the current at the sea bed";

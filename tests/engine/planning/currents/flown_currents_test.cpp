@@ -109,7 +109,7 @@ TEST(FlownCurrents, CarryAGliderOverABankAsItsSimulatedYoDoes) {
   constexpr double sink_m_s = 0.19;
   constexpr double speed_m_s = 0.35;
   constexpr double step_s = 5.0;
-  constexpr int starts = 10;  // of the saw-tooth, whose phase over the bank is nobody's choice
+  constexpr int starts = 10;  // of the saw-tooth, whose phase over the bank nobody can choose
   double drift_yo_m = 0.0;
   double drift_plane_m = 0.0;
 

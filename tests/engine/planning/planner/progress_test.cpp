@@ -178,7 +178,8 @@ TEST(Progress, OfAFailureNeverSaysDone) {
   EXPECT_THAT(told.all, Each(Lt(1.0)));
 }
 
-/// The strategies themselves share the progress out: nothing is left to the rule that what is reported never falls.
+/// The strategies themselves divide the progress; the rule that a reported share never falls has no effect
+/// here.
 TEST(Progress, OfStrategiesThatPlanMoreThanOnceNeverFalls) {
   PlanRequest cheapest = coarse_request();
   cheapest.energy.objective = energy_objective;

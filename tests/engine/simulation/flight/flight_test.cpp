@@ -72,7 +72,8 @@ TEST(Flight, MeasuresAUniformCurrent) {
   const FixEntry& last = record.sensors.fixes.back();
   EXPECT_NEAR(last.depth_averaged.east.value, 0.08, 0.002);
   EXPECT_NEAR(last.depth_averaged.north.value, -0.05, 0.002);
-  // The second dive reckons with it: the dead reckoning is off by the drift at the surface before the first fix alone.
+  // The second dive uses this current, so its dead-reckoning error is only the drift at the surface before
+  // the first fix.
   const auto first_of_second = record.sensors.fixes[2];
   EXPECT_LT(level_distance(first_of_second.fixed, first_of_second.believed), 15.0);
 }
@@ -146,7 +147,7 @@ TEST(Flight, StraysFromItsDeadReckoningAsTheErrorsSay) {
 }
 
 TEST(Flight, IsOffItsDeadReckoningByTheWayOfTheWater) {
-  // A first dive reckons with still water.
+  // A first dive assumes still water.
   const World world{
       {.origin = flight_origin,
        .bed = {},
@@ -362,7 +363,7 @@ TEST(Flight, IsStoppedOnRequest) {
   EXPECT_EQ(record.end, FlightEnd::stopped);
 }
 
-/// Steers due north whatever the mission says, and turns no deeper than 40 m.
+/// A system on board that always steers due north, and turns no deeper than 40 m.
 struct NorthwardBoard {
   OnBoardAnswer step(const FlightView& /*view*/) const {
     OnBoardAnswer answer;
@@ -395,7 +396,7 @@ TEST(Flight, IsGuidedByTheSystemOnBoard) {
   EXPECT_EQ(count(record, EventKind::guidance), 1U);
 }
 
-/// Knows of ice overhead for the first hour, 30 m deep with the margin.
+/// A system on board that reports ice overhead for the first hour, 30 m deep with the margin.
 struct IceOverhead {
   core::UtcTime until{};
   OnBoardAnswer step(const FlightView& view) const {

@@ -17,8 +17,8 @@ namespace {
 constexpr geo::LonLat start{-50.0, 69.0};
 constexpr core::UtcTime departure = core::from_unix_seconds(1.7e9);
 
-/// FLOEPLAN_ICEBERG_FIELDS asks for more than the few that every run of the tests flies, FLOEPLAN_ICEBERG_SEED for
-/// other ones than from 1.
+/// FLOEPLAN_ICEBERG_FIELDS sets the number of fields, usually a few; FLOEPLAN_ICEBERG_SEED sets the first
+/// seed, usually 1.
 std::uint64_t asked(const char* name, std::uint64_t otherwise) {
   const char* const text = std::getenv(name);
   return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;

@@ -29,7 +29,7 @@ std::string angle(double degrees, bool decimal) {
   return text_of(decimal ? degrees : packed);
 }
 
-/// What a vehicle's converter writes, and what beside the positions.
+/// The notation in which a converter writes positions, and the other columns that it writes.
 struct Writing {
   bool decimal{};
   std::string lat_unit{"lat"};
@@ -71,7 +71,7 @@ Way way_from(geo::LonLat start, double bearing_rad, const Writing& writing, int 
   return way;
 }
 
-/// Every place as it was, after the log was settled.
+/// Expects every place unchanged after the notation of the log was found.
 void expect_places(const LogTable& log, const Way& way) {
   for (std::size_t row = 0; row < way.places.size(); ++row) {
     const auto place = mission::unpack_place(log["m_lon"][row].value(), log["m_lat"][row].value());

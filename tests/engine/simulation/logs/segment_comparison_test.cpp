@@ -40,7 +40,7 @@ std::string simulated_log(double east_m_s, double north_m_s) {
   return support::log_of(record, world, orders.lists.front().waypoints.front(), 230.0, east_m_s, north_m_s);
 }
 
-/// The log as a converter writes it that leaves the vehicle's units standing over decimal degrees.
+/// The log of a converter that writes decimal degrees but keeps the units of the vehicle.
 std::string in_decimal_degrees(const std::string& log) {
   std::istringstream lines{log};
   std::vector<std::string> names;
@@ -94,7 +94,7 @@ TEST(GliderLog, TellsTheSettingsOfAFlightThatWasSimulated) {
   EXPECT_THAT(segment.waypoints, SizeIs(1));
 }
 
-/// At 47.5 N 52 W the numbers could be either, so that the unit or the vehicle's speed has to tell.
+/// At 47.5 N 52 W the numbers fit both notations, so the unit or the speed of the vehicle must decide.
 TEST(GliderLog, IsReadInDecimalDegreesAsInTheVehiclesOwn) {
   const std::string log = simulated_log(0.05, -0.08);
   const std::string decimal_log = in_decimal_degrees(log);

@@ -90,7 +90,7 @@ TEST(GliderMotion, IsDrivenByTheThrusterToTheSpeedAskedFor) {
   EXPECT_NEAR(motion.horizontal_m_s(), 0.6, 0.01);
 }
 
-/// Law: pump and pitch of the vehicle that is flown make the speed that plans count on.
+/// Law: with its pump and pitch the simulated vehicle has the speed that plans assume.
 TEST(FlownVehicle, MakesTheSpeedOfItsProfile) {
   for (const vehicle::GliderProfile& known : vehicle::known_profiles()) {
     const auto flown = flown_vehicle(known);

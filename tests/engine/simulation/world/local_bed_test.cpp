@@ -64,7 +64,7 @@ TEST(LocalBed, KnowsNothingBeyondTheData) {
   EXPECT_TRUE(bed.depth_m(1400.0, 0.0).has_value());
 }
 
-/// Law: against a march of a tenth of a metre through the bed of the world.
+/// Law: the result agrees with steps of a tenth of a metre through the bed of the world.
 TEST(SoundRays, MeetHillsWhereSmallStepsDo) {
   const World world = hilly_world();
   SoundRays rays{world, core::Metres{200.0}};
@@ -82,7 +82,7 @@ TEST(SoundRays, MeetHillsWhereSmallStepsDo) {
     for (double range_m = 0.0; range_m <= 180.0 && !stepped; range_m += 0.1) {
       if (below_bed_m(range_m) >= 0.0) stepped = range_m;
     }
-    if (!stepped || below_bed_m(*stepped + 10.0) < 2.0) return;  // passes, or no more than scratches a crest
+    if (!stepped || below_bed_m(*stepped + 10.0) < 2.0) return;  // at most touches a crest
     rays.look_from(from, {});
 
     const auto hit = rays(from, along, 200.0);

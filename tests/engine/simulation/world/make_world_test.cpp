@@ -34,7 +34,7 @@ ocean::Environment sea() {
   return environment;
 }
 
-/// Law: what is open water, and how deep ice reaches, is so in the world by the rules of the plan that is flown.
+/// Law: the world has open water, and ice as deep, as the rules of the simulated plan say.
 TEST(MakeWorld, HasIceWhereAPlanByTheSameRulesMayNotSurface) {
   support::for_each_seed(100, [](std::mt19937_64& rng) {
     ocean::Environment icy = sea();

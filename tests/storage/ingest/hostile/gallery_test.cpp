@@ -40,7 +40,7 @@ std::map<std::string, std::string> contents_of(const fs::path& folder) {
   return contents;
 }
 
-/// What is not in both, or not the same.
+/// The paths that only one of the two has, or whose contents differ.
 std::set<std::string> differences(const std::map<std::string, std::string>& one,
                                   const std::map<std::string, std::string>& other) {
   std::set<std::string> paths;
@@ -52,7 +52,7 @@ std::set<std::string> differences(const std::map<std::string, std::string>& one,
   return paths;
 }
 
-/// Beside what the files are after: a store in use, a secret, and a listener.
+/// The targets of the files: a store in use, a secret, and a listener.
 class Gallery : public StoreFixture, public testing::WithParamInterface<std::string_view> {
  protected:
   Gallery() {
@@ -84,7 +84,7 @@ class Gallery : public StoreFixture, public testing::WithParamInterface<std::str
     return rows;
   }
 
-  /// Whatever becomes of the file, nothing else has happened.
+  /// Reads the file, and expects no effect on anything else, whether the file is refused or not.
   void read(const HostileFile& hostile) {
     const testing::ScopedTrace trace{
         __FILE__, __LINE__, hostile.format + " that wants " + hostile.wants + " " + hostile.crs.value_or("")};

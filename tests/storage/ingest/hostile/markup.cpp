@@ -69,7 +69,7 @@ void add_kml(std::vector<HostileFile>& gallery, const HostileAims& aims, std::mt
                                  kml_of(repeated("<Folder>", number_in(rng, 50'000, 200'000)))));
 }
 
-/// What GDAL's other drivers would open.
+/// Files that other drivers of GDAL would open.
 void add_foreign(std::vector<HostileFile>& gallery, const HostileAims& aims, std::mt19937_64& rng) {
   const std::string place = picked(rng, places_to_open(aims));
   const std::string raster =

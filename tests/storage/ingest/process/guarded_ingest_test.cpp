@@ -175,7 +175,7 @@ TEST_F(GuardedIngest, RefusesTheOneFileWhoseReaderIsKilledAndKeepsTheOthers) {
   ASSERT_EQ(guarded({path("zone.geojson")}).front().status, IngestStatus::stored);
   const auto before = rows_of_data(db_);
 
-  CurrentFile long_one;  // that a reader is still at when it is killed for what it told first
+  CurrentFile long_one;  // which a reader is still reading when it is killed because of its first event
   for (int hour = 1; hour < 3000; ++hour) long_one.times.push_back(6.0 + hour);
   long_one.value = [](char, std::size_t t, std::size_t, std::size_t y, std::size_t x) {
     return 0.001 * static_cast<double>(t % 100 + 10 * y + x);

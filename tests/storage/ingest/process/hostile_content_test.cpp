@@ -24,8 +24,8 @@ using testing::Not;
 
 constexpr const char* secret_word = "xylophone";
 
-/// Beside files that want more than to be read: a store in use, a secret, and a server that counts its guests. Nothing
-/// of them is ever read, changed, removed or asked.
+/// Surroundings that hostile files try to reach: a store in use, a secret, and a server that counts its
+/// connections. Nothing in them may be read, changed, removed or contacted.
 class HostileContent : public StoreFixture {
  protected:
   HostileContent() {
@@ -48,7 +48,7 @@ class HostileContent : public StoreFixture {
     return "http://127.0.0.1:" + std::to_string(server_.port()) + "/data";
   }
 
-  /// Whatever becomes of the file, nothing else has happened.
+  /// Reads the file, and expects no effect on anything else, whether the file is refused or not.
   std::vector<IngestReport> read(const fs::path& file, const IngestOptions& options = {}) {
     SCOPED_TRACE(file.filename().string() + " " + options.crs.value_or(""));
     auto reports = guarded_ingest(db_, guard_, {file}, options, core::from_unix_seconds(1.8e9), {}, {}, {});

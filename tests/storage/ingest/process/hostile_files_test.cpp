@@ -38,7 +38,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// What became of the damaged files of one format. A run of many says it on standard output.
+/// The results for the damaged files of one format. A long run prints them on standard output.
 struct Tally {
   std::uint64_t stored{};
   std::uint64_t refused{};
@@ -200,8 +200,8 @@ class HostileFiles : public StoreFixture {
     return path("damaged" + file.extension().string());
   }
 
-  /// Reads a damaged file in the process that is made for it. Whatever comes of it lies in the store whole or not at
-  /// all, and is possible.
+  /// Reads a damaged file in a reader process. Expects that its data are stored as a whole or not at all, and
+  /// that they are possible.
   std::vector<IngestReport> guarded(const std::filesystem::path& file) {
     const auto began = std::chrono::steady_clock::now();
     IngestOptions options{.positive = "up"};
@@ -231,7 +231,7 @@ class HostileFiles : public StoreFixture {
     return reports;
   }
 
-  /// Every number of a dataset is one that there can be.
+  /// Expects that every number of the dataset is possible.
   void expect_possible(const repository::Dataset& dataset) {
     const repository::FieldRepository fields{db_};
     constexpr geo::BoundingBox world{-180.0, -90.0, 180.0, 90.0};

@@ -70,7 +70,7 @@ void flip_bit(const fs::path& file, std::uint64_t at, int bit) {
   io.put(static_cast<char>(byte ^ (1 << bit)));
 }
 
-/// What every plan and every iceberg of a store says; of what cannot be read "damaged".
+/// The content of every plan and every iceberg of a store; "damaged" if it cannot be read.
 std::map<std::string, std::string> contents_of(sql::Connection& db) {
   std::map<std::string, std::string> contents;
   for (int i = 0; i < plans; ++i) {
@@ -97,7 +97,7 @@ std::map<std::string, std::string> contents_of(sql::Connection& db) {
   return contents;
 }
 
-/// What a list says that is read page by page.
+/// The content of a list that is read page by page.
 struct Listed {
   std::vector<std::string> whole;  // ids, in the list's order
   std::set<std::string> named;     // as damaged

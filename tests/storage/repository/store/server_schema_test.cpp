@@ -48,7 +48,7 @@ TEST(ServerSchema, IsLeftAsItIsWhenTheStoreIsOpenedAgain) {
   EXPECT_EQ(sql::schema_number(db), newest_schema(db.engine()));
 }
 
-/// What the first program for database servers made is brought up to date, with all that is in it.
+/// A store that the first version for database servers made is brought up to date with all its content.
 TEST(ServerSchema, IsReachedFromTheFirstOneOfServers) {
   sql::Connection db = support::empty_store();
   if (!sql::is_shared(db)) GTEST_SKIP() << "runs at a database server";

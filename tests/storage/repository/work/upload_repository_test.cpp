@@ -141,7 +141,7 @@ TEST_F(UploadFolderTest, HoldsNoFileOfARemovedUpload) {
   EXPECT_TRUE(std::filesystem::is_empty(folder_.path() / "uploads"));
 }
 
-/// What a killed process left is no upload, and goes after a day.
+/// The unfinished file of a killed process is not an upload, and is removed after a day.
 TEST_F(UploadFolderTest, TakesAnUnfinishedUploadForNone) {
   std::filesystem::create_directories(folder_.path() / "uploads" / "half.new");
   EXPECT_THAT(uploads_.list(), testing::IsEmpty());

@@ -114,7 +114,7 @@ class FlagsOfGrids : public StoreFixture {
   IngestReport report_;
 };
 
-/// Law: whatever the convention, what it calls bad is missing and counted, and everything else is kept.
+/// Law: in every convention, the values flagged as bad are missing and counted, and all others are kept.
 TEST_F(FlagsOfGrids, TakeOutWhatTheyCallBadAndNothingElse) {
   support::for_each_seed(28, [&](std::mt19937_64& rng) {
     db_ = repository::open_store_in_memory();

@@ -62,7 +62,7 @@ TEST_F(Meaning, OfIceAndDepthsIsNeverAStatistic) {
   });
 }
 
-/// What CF's words and those of producers make of the numbers.
+/// The statistics that the words of CF and of producers stand for.
 TEST_F(Meaning, KnowsStatisticsByTheirWords) {
   struct Said {
     Texts texts;

@@ -197,7 +197,7 @@ TEST_F(OwnIcebergTable, HasLengthsInTheUnitThatItsColumnNames) {
   });
 }
 
-/// Law: whatever names the error of a position and its unit is obeyed alike.
+/// Law: the position error is read from every known name of the column and its unit.
 TEST_F(OwnIcebergTable, KnowsAnErrorOfThePositionByItsWords) {
   constexpr std::array names{"position_uncertainty",
                              "position_error",

@@ -100,7 +100,7 @@ TEST_F(IcebergTable, IsStoredOrRefusedAtAnyLengthButNeverHalfARow) {
   }
 }
 
-/// What an independent reader finds in a sample.
+/// The values that an independent reader finds in a sample.
 struct Expected {
   std::string file;
   std::int64_t rows;

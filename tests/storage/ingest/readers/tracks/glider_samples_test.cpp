@@ -10,8 +10,8 @@
 namespace floeplan::ingest::glider_samples_test {
 namespace {
 
-/// What an independent reader finds in a real file: ncdump 4.9 of the NetCDF ones, awk of the logs. Packed degrees are
-/// worked out by hand.
+/// The values that independent readers find in a real file: ncdump 4.9 of the NetCDF ones, awk of the logs.
+/// Packed degrees are worked out by hand.
 struct Expected {
   const char* file;
   const char* glider;

@@ -147,7 +147,8 @@ TEST_F(Choice, IsTheSameInWhateverOrderTheFileHasItsVariablesAndNeverAStatistic)
   });
 }
 
-/// What a name, a standard name and a long name say together: `as_named`, the reverse, or nothing that holds.
+/// The verdict on a name, a standard name and a long name together: as the name says, the reverse, or refused
+/// because they contradict each other.
 enum class Verdict { as_named, swapped, refused };
 enum class Says { nothing, the_same, the_contrary };
 
