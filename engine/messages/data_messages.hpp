@@ -56,56 +56,74 @@ inline constexpr auto data_kinds = std::to_array<Kind>({
      .slots = {{{"dataset", "reserves (zones-1)"}}}},
 
     // Icebergs.
+    // Ignored for each reason, and used: these counts of the four messages add up to {known}.
     {.code = "sightings-too-old",
      .rank = Rank::danger,
-     .text = "{ignored} of {known} {known:iceberg|icebergs} of {datasets} {ignored:was|were} ignored, not "
-             "seen since {oldest}. {ignored:The iceberg|Each} may still be near the route, and the plan "
-             "{ignored:does not avoid it|avoids none of them}",
+     .text = "{ignored} of {known} {known:iceberg|icebergs} {ignored:was|were} ignored, not seen since "
+             "{oldest} (in {datasets}). {ignored:The iceberg|Each} may still be near the route, and the plan "
+             "{ignored:does not avoid it|avoids none of them}. The plan uses the sightings of {used} "
+             "{used:iceberg|icebergs}",
      .hint =
          "Ingest newer sightings, or raise the maximum sighting age (--max-sighting-age). Ignored: {names}",
      .slots = {{{"ignored", 2},
                 {"known", 60},
+                {"used", 57},
                 {"datasets", "Ice Patrol (icebergs-1)"},
                 {"oldest", "2027-01-05T06:00:00Z"},
                 {"names", "B-17, B-18"}}}},
     // No request may ask for sightings as old as these.
     {.code = "sightings-too-old-for-any-plan",
      .rank = Rank::danger,
-     .text = "{ignored} of {known} {known:iceberg|icebergs} of {datasets} {ignored:was|were} ignored, not "
-             "seen since {oldest}. {ignored:The iceberg|Each} may still be near the route, and the plan "
-             "{ignored:does not avoid it|avoids none of them}",
+     .text = "{ignored} of {known} {known:iceberg|icebergs} {ignored:was|were} ignored, not seen since "
+             "{oldest} (in {datasets}). {ignored:The iceberg|Each} may still be near the route, and the plan "
+             "{ignored:does not avoid it|avoids none of them}. The plan uses the sightings of {used} "
+             "{used:iceberg|icebergs}",
      .hint = "Ingest newer sightings. Ignored: {names}",
      .slots = {{{"ignored", 2},
                 {"known", 60},
+                {"used", 57},
                 {"datasets", "Ice Patrol (icebergs-1)"},
                 {"oldest", "2026-12-13T00:00:00Z"},
                 {"names", "B-17, B-18"}}}},
     {.code = "sightings-after-departure",
      .rank = Rank::danger,
-     .text = "{ignored} {ignored:iceberg was|icebergs were} ignored, seen only after the departure at "
+     .text = "{ignored} of {known} {known:iceberg|icebergs} {ignored:was|were} ignored, because {ignored:its|"
+             "their} only recent sightings are later than the departure at "
              "{departure}. {ignored:The iceberg|Each} may be near the route, and the plan {ignored:does not "
-             "avoid it|avoids none of them}",
+             "avoid it|avoids none of them}. The plan uses the sightings of {used} {used:iceberg|icebergs}",
      .hint = "Use these sightings too (--icebergs-as-of {last}), or depart later. Ignored: {names}",
      .slots = {{{"ignored", 1},
+                {"known", 60},
+                {"used", 57},
                 {"departure", "2027-01-12T06:00:00Z"},
                 {"last", "2027-01-12T18:00:00Z"},
                 {"names", "B-17 at 2027-01-12T18:00:00Z"}}}},
     {.code = "sightings-after-window",
      .rank = Rank::danger,
-     .text = "{ignored} {ignored:iceberg was|icebergs were} ignored, seen only after the last departure of "
+     .text = "{ignored} of {known} {known:iceberg|icebergs} {ignored:was|were} ignored, because {ignored:its|"
+             "their} only recent sightings are later than the last departure of "
              "the window, {departure}. {ignored:The iceberg|Each} may be near the route, and the plan "
-             "{ignored:does not avoid it|avoids none of them}",
+             "{ignored:does not avoid it|avoids none of them}. The plan uses the sightings of {used} "
+             "{used:iceberg|icebergs}",
      .hint = "Use these sightings too (--icebergs-as-of {last}), or depart later. Ignored: {names}",
      .slots = {{{"ignored", 1},
+                {"known", 60},
+                {"used", 57},
                 {"departure", "2027-01-12T06:00:00Z"},
                 {"last", "2027-01-12T18:00:00Z"},
                 {"names", "B-17 at 2027-01-12T18:00:00Z"}}}},
     {.code = "sightings-left-out",
      .rank = Rank::caution,
-     .text = "{ignored} {ignored:iceberg was|icebergs were} left out as requested, seen only after {as_of} "
-             "({names}). The plan {ignored:does not avoid it|avoids none of them}",
-     .slots =
-         {{{"ignored", 1}, {"as_of", "2027-01-12T06:00:00Z"}, {"names", "B-17 at 2027-01-12T18:00:00Z"}}}},
+     .text =
+         "{ignored} of {known} {known:iceberg|icebergs} {ignored:was|were} left out as requested, because "
+         "{ignored:its|their} only recent sightings are later than {as_of} ({names}). The plan {ignored:does "
+         "not avoid it|avoids none of them}. It uses the sightings of "
+         "{used} {used:iceberg|icebergs}",
+     .slots = {{{"ignored", 1},
+                {"known", 60},
+                {"used", 57},
+                {"as_of", "2027-01-12T06:00:00Z"},
+                {"names", "B-17 at 2027-01-12T18:00:00Z"}}}},
     {.code = "icebergs-joined",
      .rank = Rank::note,
      .text = "the icebergs come from several datasets, each with its newest sighting: {datasets}",
@@ -118,9 +136,10 @@ inline constexpr auto data_kinds = std::to_array<Kind>({
      .slots = {{{"on_land", 2}, {"names", "B-17, B-18"}}}},
     {.code = "sightings-before-currents",
      .rank = Rank::caution,
-     .text = "{before} of {icebergs} {icebergs:iceberg|icebergs} {before:was|were} last seen before the "
-             "currents begin at {begin}. Until then each iceberg is assumed to keep its last observed "
-             "drift, else to drift with the wind, else to stay in place",
+     .text = "{before} of {icebergs} {icebergs:iceberg|icebergs} {before:was|were} last seen before "
+             "the currents begin at {begin}. Until then the plan assumes that each iceberg keeps its "
+             "last observed drift. An iceberg without such a drift is assumed to drift with the wind, "
+             "or to stay in place if the wind is unknown",
      .hint = "Ingest currents that begin earlier, or newer sightings",
      .slots = {{{"before", 60}, {"icebergs", 60}, {"begin", "2027-01-12T00:00:00Z"}}}},
     {.code = "earlier-sightings-before-currents",
@@ -132,9 +151,10 @@ inline constexpr auto data_kinds = std::to_array<Kind>({
      .slots = {{{"before", 3}, {"icebergs", 60}, {"begin", "2027-01-12T00:00:00Z"}}}},
     {.code = "icebergs-beyond-currents",
      .rank = Rank::caution,
-     .text = "{unknown} of {icebergs} {icebergs:iceberg|icebergs} {unknown:drifts|drift} beyond the current "
-             "data ({names}). From then on each iceberg is assumed to keep its last observed drift, else to "
-             "drift with the wind, else to stay in place",
+     .text = "{unknown} of {icebergs} {icebergs:iceberg|icebergs} {unknown:drifts|drift} beyond the "
+             "current data ({names}). From then on the plan assumes that each iceberg keeps its last "
+             "observed drift. An iceberg without such a drift is assumed to drift with the wind, or to "
+             "stay in place if the wind is unknown",
      .hint = "Ingest currents that cover a wider area and a longer time",
      .slots = {{{"unknown", 3}, {"icebergs", 60}, {"names", "B-17, B-18, B-19"}}}},
     {.code = "wind-not-at-departure",
@@ -158,9 +178,9 @@ inline constexpr auto data_kinds = std::to_array<Kind>({
      .slots = {{{"begin", "2027-01-16T00:00:00Z"}, {"held_from", "2027-01-13T00:00:00Z"}}}},
     {.code = "ice-unknown-at-departure",
      .rank = Rank::caution,
-     .text = "the sea ice at the departure is unknown. The nearest ice of {dataset} is that of {step}, and "
-             "ice data count for at most 3 days. Dives keep below the last known keels, and the plan "
-             "includes no surfacing",
+     .text = "the sea ice at the departure is unknown. The nearest state of the ice in {dataset} is "
+             "that of {step}, and a plan uses ice data for at most 3 days before and after their time. "
+             "Dives keep below the last known keels, and the plan includes no surfacing",
      .hint = "Ingest newer sea ice",
      .slots = {{{"dataset", "chart (ice-1)"}, {"step", "2027-01-08T00:00:00Z"}}}},
     {.code = "ice-held",

@@ -26,14 +26,12 @@ namespace {
 void tell_of_old_sightings(EnvironmentDraft& draft, const KnownIcebergs& known) {
   std::vector<std::string> dropped;
   std::vector<std::string> lists;
-  auto all = std::ssize(known.too_old);
   for (const Dataset& dataset : known.consulted) {
     const auto before = dropped.size();
     for (const StoredSighting& sighting : known.too_old)
       if (sighting.dataset == dataset.id)
         dropped.push_back(sighting.iceberg.id.empty() ? "one without a name" : sighting.iceberg.id);
     if (dropped.size() == before) continue;
-    all += std::ranges::count(known.sightings, dataset.id, &StoredSighting::dataset);
     lists.push_back(title(dataset));
   }
   if (dropped.empty()) return;
@@ -43,10 +41,10 @@ void tell_of_old_sightings(EnvironmentDraft& draft, const KnownIcebergs& known) 
       known.too_old, [&](const StoredSighting& sighting) { return sighting.iceberg.observed >= oldest; });
   const std::string in = core::shortened_list(lists);
   const std::string names = core::shortened_list(dropped);
-  draft.tell(can_count
-                 ? messages::data_message<"sightings-too-old">(dropped.size(), all, in, known.oldest, names)
-                 : messages::data_message<"sightings-too-old-for-any-plan">(dropped.size(), all, in,
-                                                                            known.oldest, names));
+  draft.tell(can_count ? messages::data_message<"sightings-too-old">(
+                             dropped.size(), known.bergs(), known.sightings.size(), in, known.oldest, names)
+                       : messages::data_message<"sightings-too-old-for-any-plan">(
+                             dropped.size(), known.bergs(), known.sightings.size(), in, known.oldest, names));
 }
 
 /// Warns of bergs whose first sighting is later than the time up to which sightings count: they may have been
@@ -63,13 +61,15 @@ void tell_of_later_sightings(EnvironmentDraft& draft, const KnownIcebergs& known
     last = std::max(last, berg.observed);
   }
   const std::string names = core::shortened_list(dropped);
+  const std::size_t used = known.sightings.size();
   if (draft.query.icebergs_as_of)
-    return draft.tell(messages::data_message<"sightings-left-out">(dropped.size(), as_of, names));
+    return draft.tell(
+        messages::data_message<"sightings-left-out">(dropped.size(), known.bergs(), used, as_of, names));
   const core::UtcTime let_count = std::chrono::ceil<std::chrono::seconds>(last);
-  draft.tell(
-      as_of > draft.query.depart
-          ? messages::data_message<"sightings-after-window">(dropped.size(), as_of, let_count, names)
-          : messages::data_message<"sightings-after-departure">(dropped.size(), as_of, let_count, names));
+  draft.tell(as_of > draft.query.depart ? messages::data_message<"sightings-after-window">(
+                                              dropped.size(), known.bergs(), used, as_of, let_count, names)
+                                        : messages::data_message<"sightings-after-departure">(
+                                              dropped.size(), known.bergs(), used, as_of, let_count, names));
 }
 
 /// Lists the datasets with sightings, the named ones and the reports by hand; if there are none, the newest

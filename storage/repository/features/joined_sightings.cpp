@@ -95,6 +95,22 @@ std::vector<ocean::IcebergFix> track_of(const IcebergRepository& repository, con
   return track;
 }
 
+/// Whether two stored sightings may be of one berg. Never true without a name, or for different sources.
+class SameBerg {
+ public:
+  explicit SameBerg(sql::Connection& db) {
+    for (const Dataset& dataset : DatasetRepository{db}.list()) sources_[dataset.id] = source_of(dataset);
+  }
+  [[nodiscard]] bool operator()(const StoredSighting& a, const StoredSighting& b) const {
+    return !a.iceberg.id.empty() && a.iceberg.id == b.iceberg.id &&
+           sources_.at(a.dataset) == sources_.at(b.dataset) &&
+           may_be_one_berg(a.iceberg.place, a.iceberg.observed, b.iceberg.place, b.iceberg.observed);
+  }
+
+ private:
+  std::map<DatasetId, std::string> sources_;
+};
+
 }  // namespace
 
 std::vector<StoredSighting> joined_sightings(sql::Connection& db, const std::vector<Dataset>& datasets,
@@ -124,14 +140,7 @@ std::vector<StoredSighting> first_seen_after(sql::Connection& db, const std::vec
                                              const geo::BoundingBox& area, core::UtcTime as_of,
                                              core::UtcTime until,
                                              const std::vector<StoredSighting>& counted) {
-  std::map<DatasetId, std::string> sources;
-  for (const Dataset& dataset : DatasetRepository{db}.list()) sources[dataset.id] = source_of(dataset);
-  const auto are_one = [&](const StoredSighting& a, const StoredSighting& b) {
-    return !a.iceberg.id.empty() && a.iceberg.id == b.iceberg.id &&
-           sources[a.dataset] == sources[b.dataset] &&
-           may_be_one_berg(a.iceberg.place, a.iceberg.observed, b.iceberg.place, b.iceberg.observed);
-  };
-
+  const SameBerg are_one{db};
   std::vector<StoredSighting> first;
   for (const Dataset& dataset : datasets) {
     const SightingFilter filter{.area = area, .from = as_of, .to = until, .dataset = dataset.id};
@@ -147,6 +156,15 @@ std::vector<StoredSighting> first_seen_after(sql::Connection& db, const std::vec
     }
   }
   return first;
+}
+
+std::vector<StoredSighting> without_bergs_of(sql::Connection& db, std::vector<StoredSighting> sightings,
+                                             const std::vector<StoredSighting>& others) {
+  const SameBerg are_one{db};
+  std::erase_if(sightings, [&](const StoredSighting& sighting) {
+    return std::ranges::any_of(others, [&](const StoredSighting& other) { return are_one(sighting, other); });
+  });
+  return sightings;
 }
 
 }  // namespace floeplan::repository

@@ -30,4 +30,10 @@ namespace floeplan::repository {
                                                            core::UtcTime until,
                                                            const std::vector<StoredSighting>& counted);
 
+/// The sightings of bergs that have no sighting among `others`. Whether two sightings are of one berg is
+/// decided as in `joined_sightings`.
+[[nodiscard]] std::vector<StoredSighting> without_bergs_of(sql::Connection& db,
+                                                           std::vector<StoredSighting> sightings,
+                                                           const std::vector<StoredSighting>& others);
+
 }  // namespace floeplan::repository

@@ -71,9 +71,11 @@ KnownIcebergs known_icebergs(sql::Connection& db, const std::vector<Dataset>& st
   for (StoredSighting& sighting : all)
     (sighting.iceberg.observed >= known.oldest ? known.sightings : known.too_old)
         .push_back(std::move(sighting));
-  if (query.also_left_out)
+  if (query.also_left_out) {
     known.later = first_seen_after(db, datasets_of_later_sightings(stored, known, query), reached,
                                    query.as_of, query.as_of + ocean::left_out_are_told, known.sightings);
+    known.too_old = without_bergs_of(db, std::move(known.too_old), known.later);
+  }
   return known;
 }
 

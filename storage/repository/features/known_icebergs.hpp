@@ -26,19 +26,21 @@ struct SightingQuery {
       false};
 };
 
-/// The stored icebergs that plans avoid and the map shows.
+/// The stored icebergs that plans avoid and the map shows. Every berg is in only one of the three lists of
+/// sightings, so their sizes add up to the number of bergs.
 struct KnownIcebergs {
   // datasets of the choice that intersect the area; named ones: that are within reach
   std::vector<Dataset> here;
   std::vector<Dataset> consulted;         // datasets that were searched for sightings
   std::vector<StoredSighting> sightings;  // the newest of each berg, in the order of the datasets
-  std::vector<StoredSighting> too_old;    // bergs not seen since `oldest`; only if requested
+  std::vector<StoredSighting> too_old;    // bergs not seen since `oldest`, not even later; only if requested
   std::vector<StoredSighting>
-      // first sighting after `as_of` of each berg without a sighting above; only if requested
+      // first sighting after `as_of` of each berg that has none in `sightings`; only if requested
       later;
   core::UtcTime oldest;  // the earliest time of a sighting that counts
 
   [[nodiscard]] bool speaks_here(const DatasetId& dataset) const;
+  [[nodiscard]] std::size_t bergs() const { return sightings.size() + too_old.size() + later.size(); }
 };
 
 /// Finds the icebergs. By default every dataset with sightings young enough is searched, wherever it lies,

@@ -119,7 +119,7 @@ TEST(Export, AsksToConfirmAPlanThatIgnoresIcebergsForTheirAge) {
   const nlohmann::json plan = program.run(as_json).json();
 
   ASSERT_EQ(told.exit_code, 0) << told.err;
-  EXPECT_THAT(told.out, HasSubstr("danger: 1 of 1 iceberg of "));
+  EXPECT_THAT(told.out, HasSubstr("danger: 1 of 1 iceberg was ignored, not seen since"));
   EXPECT_THAT(told.out, HasSubstr("ignored, not seen since 2026-11-19T00:00:00Z"));
   ASSERT_EQ(plan["dangers"].size(), 1U);
   EXPECT_EQ(plan["warnings"][0], plan["dangers"][0]);

@@ -379,8 +379,43 @@ TEST_F(EnvironmentLoaderTest, SaysHowManyBergsWereSeenTooLongAgo) {
   ASSERT_EQ(environment.icebergs.size(), 1U);
   EXPECT_EQ(environment.icebergs[0].id, "young");
   EXPECT_THAT(messages::sentences(environment.messages),
-              Contains(AllOf(testing::StartsWith("Danger: 1 of 2 icebergs"),
+              Contains(AllOf(testing::StartsWith("Danger: 1 of 3 icebergs"),
                              HasSubstr("ignored, not seen since"), testing::EndsWith(": old"))));
+}
+
+/// Law: the bergs used, those ignored for their age and those only seen later add up to the bergs known, even if a
+/// berg was seen too long ago and again after the departure.
+TEST_F(EnvironmentLoaderTest, CountsEveryBergOnce) {
+  support::for_each_seed(20, [&](std::mt19937_64& rng) {
+    db_ = support::empty_store();
+    std::vector<ocean::Iceberg> sightings;
+    std::int64_t bergs = 0;
+    for (int i = 0; i < 12; ++i) {
+      const auto add = [&](core::Seconds after) {
+        sightings.push_back(
+            sample_berg("berg" + std::to_string(i), {-52.0, 69.0 + 0.01 * i}, sample_time + after));
+      };
+      const int when = support::uniform_int(rng, 1, 7);  // one bit for each time at which it was seen
+      if (when & 1) add(-10 * day);
+      if (when & 2) add(-1 * day);
+      if (when & 4) add(1 * day);
+      ++bergs;
+    }
+    add_icebergs("bergs", sightings);
+
+    const ocean::Environment environment = load();
+
+    auto counted = std::ssize(environment.icebergs);
+    for (const messages::Message& message : environment.messages) {
+      if (!message.code.starts_with("sightings-")) continue;
+      for (const auto& [name, value] : message.values) {
+        if (name == "ignored") counted += std::get<std::int64_t>(value);
+        if (name == "known") EXPECT_EQ(std::get<std::int64_t>(value), bergs);
+        if (name == "used") EXPECT_EQ(std::get<std::int64_t>(value), std::ssize(environment.icebergs));
+      }
+    }
+    EXPECT_EQ(counted, bergs);
+  });
 }
 
 /// Law: what is left out for its age is told alike in however many lists the same sightings came.
@@ -418,10 +453,11 @@ TEST_F(EnvironmentLoaderTest, TellsOfABergThatWasOnlySeenAfterTheDeparture) {
   const ocean::Environment environment = load();
 
   EXPECT_THAT(environment.icebergs, IsEmpty());
-  EXPECT_THAT(
-      messages::sentences(environment.messages),
-      Contains(AllOf(testing::StartsWith("Danger: 1 iceberg was ignored, seen only after the departure"),
-                     HasSubstr("--icebergs-as-of"), HasSubstr(": later at "))));
+  EXPECT_THAT(messages::sentences(environment.messages),
+              Contains(AllOf(
+                  testing::StartsWith("Danger: 1 of 1 iceberg was ignored, because its only recent sightings "
+                                      "are later than the departure"),
+                  HasSubstr("--icebergs-as-of"), HasSubstr(": later at "))));
   EXPECT_THAT(messages::sentences(environment.messages), Not(Contains(HasSubstr("no icebergs are stored"))));
 }
 
@@ -432,8 +468,9 @@ TEST_F(EnvironmentLoaderTest, LeavesOutLaterSightingsWithoutADangerWhereTheUserS
 
   const auto warnings = messages::sentences(load().messages);
 
-  EXPECT_THAT(warnings,
-              Contains(testing::StartsWith("1 iceberg was left out as requested, seen only after")));
+  EXPECT_THAT(
+      warnings,
+      Contains(testing::StartsWith("1 of 2 icebergs was left out as requested, because its only recent")));
   EXPECT_THAT(warnings, Not(Contains(testing::StartsWith("Danger"))));
 }
 
@@ -465,11 +502,11 @@ TEST_F(EnvironmentLoaderTest, TellsOfEveryBergThatOnlyLaterSightingsKnow) {
     const auto warnings = messages::sentences(load().messages);
 
     const auto found = std::ranges::find_if(warnings, [](const std::string& text) {
-      return text.find("ignored, seen only after") != std::string::npos;
+      return text.find("later than the departure") != std::string::npos;
     });
     ASSERT_EQ(found != warnings.end(), told > 0);
     if (told > 0) {
-      EXPECT_THAT(*found, testing::StartsWith("Danger: " + std::to_string(told) + " iceberg"));
+      EXPECT_THAT(*found, testing::StartsWith("Danger: " + std::to_string(told) + " of "));
     }
   });
 }
@@ -536,8 +573,8 @@ TEST_F(EnvironmentLoaderTest, ReadsCurrentsFromTheOldestDriftingBergOn) {
   EXPECT_EQ(first_step(), sample_time);
 }
 
-/// What a berg moved beside the current between two sightings is known only with the current of that time, whatever
-/// other icebergs are stored.
+/// The drift of a berg relative to the water between two sightings can be computed only with the currents of
+/// that time. This holds whatever other icebergs are stored.
 TEST_F(EnvironmentLoaderTest, ReadsCurrentsFromTheSightingOnThatTellsOfADrift) {
   add_currents("flow", sample_time - 40 * hour, 60, levels_);
   add_icebergs("bergs", {sample_berg("a", {-52.0, 69.0}, sample_time - 14 * hour),
@@ -872,8 +909,7 @@ TEST_F(EnvironmentLoaderTest, TakesAChartThatWasFilledInLaterBesideTheDataOfTheT
 
   EXPECT_EQ(load().ice->samples().times_s.size(), 1U);
   EXPECT_EQ(load().further_ice.size(), 1U);
-  EXPECT_THAT(messages::sentences(load().messages),
-              Not(Contains(HasSubstr("one state of the sea ice"))));
+  EXPECT_THAT(messages::sentences(load().messages), Not(Contains(HasSubstr("one state of the sea ice"))));
 }
 
 TEST_F(EnvironmentLoaderTest, TakesOlderIceInALongGapOfTheNewest) {
@@ -924,7 +960,7 @@ TEST_F(EnvironmentLoaderTest, TakesAreasOfFastIceOnlyWhereThereIsNoOtherIce) {
   EXPECT_EQ(load().ice->at({-52.0, 69.0}, sample_time)->concentration, 1.0);
 }
 
-/// What there is now is not known, and what keels there were is no reason to take the water to be open.
+/// The ice at the departure is not known. That the data have ended is no reason to assume open water.
 TEST_F(EnvironmentLoaderTest, TakesIceThatEndedBeforeTheDepartureForTheKeelsThatWereKnownLast) {
   add_ice("ice", sample_time - 9.0 * day, 2);
 
