@@ -99,19 +99,29 @@ inline constexpr auto refusal_kinds = std::to_array<Kind>({
     // Refusals by a search. {closed} and {help}: text and hint of the row for what closes most edges.
     {.code = "no-way-to-goal",
      .rank = Rank::caution,
-     .text = "no route to the goal was found. At the nearest place reached {closed}",
-     .hint = "{help}. A finer grid (--spacing) finds narrower passages",
+     .text = "no route to the goal was found. At the place nearest to the goal that the search "
+             "reached, {closed}",
+     .hint = "{help}. A smaller grid spacing (--spacing) finds narrower passages",
      .slots = {{{"closed", "the route crosses land"}, {"help", "Lead the route round the land (--via)"}}}},
+    {.code = "no-way-in-data",
+     .rank = Rank::caution,
+     .text = "no route to the goal was found. At the place nearest to the goal that the search reached, "
+             "{closed}",
+     .hint = "{help}",
+     .slots = {{{"closed", "the stored currents end at 2027-01-14T00:00:00Z, before the route ends"},
+                {"help", "Ingest a longer forecast, or hold the currents steady (--steady)"}}}},
     {.code = "no-way-through-currents",
      .rank = Rank::caution,
-     .text = "no route to the goal was found. At the nearest place reached {closed}",
+     .text = "no route to the goal was found. At the place nearest to the goal that the search "
+             "reached, {closed}",
      .hint = "{help}. A via point (--via) widens the search",
      .slots = {{{"closed", "the current is too strong for 0.35 m/s through the water"},
                 {"help", "depart at another time"}}}},
     {.code = "no-way-within-memory",
      .rank = Rank::caution,
-     .text = "no route to the goal was found. At the nearest place reached {closed}",
-     .hint = "{help}. A coarser grid (--spacing) needs less work",
+     .text = "no route to the goal was found. At the place nearest to the goal that the search "
+             "reached, {closed}",
+     .hint = "{help}. A larger grid spacing (--spacing) needs less computing work",
      .slots = {{{"closed", "the route crosses land"}, {"help", "Lead the route round the land (--via)"}}}},
     {.code = "never-holds",
      .rank = Rank::note,
@@ -121,14 +131,14 @@ inline constexpr auto refusal_kinds = std::to_array<Kind>({
      .rank = Rank::caution,
      .text = "from this waypoint, no escape route of at most 200 grid steps leads to a place where the "
              "vehicle may surface",
-     .hint = "Allow surfacing in denser ice (--max-concentration-to-surface), choose a wider grid spacing "
+     .hint = "Allow surfacing in denser ice (--max-concentration-to-surface), choose a larger grid spacing "
              "(--spacing), or plan without escape routes (leave out --escape-plan)"},
     {.code = "no-escape-in-time",
      .rank = Rank::caution,
      .text = "from this waypoint, no escape route of at most 200 grid steps reaches a place to surface "
              "within the limit of {bound_h:.4g} h without surfacing",
      .hint = "Allow more time (--max-time-without-surfacing) or surfacing in denser ice "
-             "(--max-concentration-to-surface), choose a wider grid spacing (--spacing), or plan without "
+             "(--max-concentration-to-surface), choose a larger grid spacing (--spacing), or plan without "
              "escape routes (leave out --escape-plan)",
      .slots = {{{"bound_h", 12.0}}}},
     {.code = "earliest-departure-too-late",
@@ -146,7 +156,7 @@ inline constexpr auto refusal_kinds = std::to_array<Kind>({
      .rank = Rank::caution,
      .text =
          "the grid would have {vertices_millions:.0f} million vertices, more than the memory limit allows",
-     .hint = "Choose a wider grid spacing (--spacing), or plan in parts",
+     .hint = "Choose a larger grid spacing (--spacing), or plan in parts",
      .slots = {{{"vertices_millions", 120.0}}}},
     {.code = "too-many-icebergs",
      .rank = Rank::caution,
@@ -176,7 +186,7 @@ inline constexpr auto refusal_kinds = std::to_array<Kind>({
     {.code = "stop-outside-currents",
      .rank = Rank::note,
      .text = "{place} lies {where}",
-     .hint = "Move {place}, or ingest currents that cover it",
+     .hint = "Move {place} into the water of the currents, or ingest currents that cover it",
      .slots = {{{"place", "the goal"},
                 {"where", "12 km east of the stored currents (in this area: 54 W to 50 W, 68 N to 70 N)"}}}},
     {.code = "data-end-on-the-way",
@@ -206,8 +216,8 @@ inline constexpr auto refusal_kinds = std::to_array<Kind>({
      .slots = {{{"distance_km", 100.0}, {"place", "the goal"}}}},
     {.code = "search-without-end",
      .rank = Rank::note,
-     .text = "the search stopped at the limit of its work, so a route may still exist",
-     .hint = "Choose a larger grid spacing (--spacing), with which the search ends earlier"},
+     .text = "the search stopped at its limit of computing work, so a route may still exist",
+     .hint = "Choose a larger grid spacing (--spacing), so that the search can finish"},
     {.code = "searched-from-stop-to-stop",
      .rank = Rank::note,
      .text = "the search reaches each via point as early as possible. A route that reaches a via point "

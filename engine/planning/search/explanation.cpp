@@ -192,6 +192,8 @@ std::optional<motion::EdgeClosed> closed_for_a_while(const cost::Sea& sea, geo::
 /// Says that no route was found, and what closes most edges out of the reached vertex nearest to the goal.
 messages::Message no_way(motion::EdgeClosed binding, bool cut_short, const messages::Message& closed) {
   if (cut_short) return messages::refusal<"no-way-within-memory">(closed.text, closed.hint);
+  if (binding == motion::EdgeClosed::outside_data)
+    return messages::refusal<"no-way-in-data">(closed.text, closed.hint);
   if (binding == motion::EdgeClosed::current_too_strong)
     return messages::refusal<"no-way-through-currents">(closed.text, closed.hint);
   return messages::refusal<"no-way-to-goal">(closed.text, closed.hint);

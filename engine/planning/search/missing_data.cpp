@@ -3,8 +3,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "engine/geo/bounding_box.hpp"
 #include "engine/geo/geodesic.hpp"
@@ -65,12 +67,26 @@ bool end_around(geo::LonLat place, const IsKnown& is_known) {
   return false;
 }
 
-void add_stop(Infeasible& why, const ocean::Environment& environment, geo::LonLat place,
-              const std::string& name) {
-  if (currents_reach(environment, place)) return;
-  why.besides.push_back(messages::refusal<"stop-outside-currents">(
-                            name, where_from(*environment.currents, place))
-                            .at(place));
+/// Says of each stop outside the currents where it lies, in the order of the stops.
+std::vector<messages::Message> stops_outside_currents(const ocean::Environment& environment,
+                                                      const PlanRequest& request) {
+  std::vector<messages::Message> outside;
+  const auto look_at = [&](geo::LonLat place, const char* name) {
+    if (currents_reach(environment, place)) return;
+    outside.push_back(
+        messages::refusal<"stop-outside-currents">(name, where_from(*environment.currents, place)).at(place));
+  };
+  look_at(request.from, "the start");
+  for (const geo::LonLat via : request.via) look_at(via, "a via point");
+  look_at(request.to, "the goal");
+  return outside;
+}
+
+/// Whether a search may have failed because a stop lies outside the currents. No edge leads to such a stop,
+/// but the search may have ended at another obstacle, or at the end of the period of the data.
+bool may_be_due_to_a_stop(const Infeasible& why) {
+  return !why.at_a_stop && why.binding != Constraint::memory && why.binding != Constraint::battery &&
+         why.binding != Constraint::caller;
 }
 
 void add_end(Infeasible& why, const ocean::HorizontalGrid& grid, const std::string& data) {
@@ -84,23 +100,33 @@ messages::Message explain_missing_depth(const ocean::Environment& environment, g
   if (!environment.bathymetry) throw std::invalid_argument{"no bathymetry that could miss a depth"};
   const std::string from_depths = where_from(environment.bathymetry->grid(), where, "bathymetry");
   if (currents_reach(environment, where)) return messages::refusal<"place-outside-data">(place, from_depths);
-  return messages::refusal<"place-outside-depths-and-currents">(
-      place, from_depths, where_from(*environment.currents, where));
+  return messages::refusal<"place-outside-depths-and-currents">(place, from_depths,
+                                                                where_from(*environment.currents, where));
 }
 
 Infeasible with_missing_data(Infeasible why, const ocean::Environment& environment,
                              const PlanRequest& request) {
+  auto outside = may_be_due_to_a_stop(why) ? stops_outside_currents(environment, request)
+                                           : std::vector<messages::Message>{};
+  if (!outside.empty()) {
+    Infeasible unusable{.reason = Reason::outside_data,
+                        .at = *outside.front().place,
+                        .when = request.depart,
+                        .why = std::move(outside.front()),
+                        .binding = Constraint::data_area,
+                        .at_a_stop = true};
+    unusable.besides.assign(std::next(outside.begin()), outside.end());
+    // The first stop is to be mended first, and the suggestion is the last hint.
+    for (messages::Message& later : unusable.besides) later.hint.clear();
+    return unusable;
+  }
   constexpr core::Seconds worth_telling{3600.0};
   if (why.binding == Constraint::data_period && environment.currents_begin &&
       *environment.currents_begin <= request.depart - worth_telling)
     why.besides.push_back(messages::refusal<"earlier-departure-possible">(*environment.currents_begin));
   if (why.binding != Constraint::data_area || why.at_a_stop) return why;
-  const std::size_t before = why.besides.size();
-  add_stop(why, environment, request.from, "the start");
-  for (const geo::LonLat via : request.via) add_stop(why, environment, via, "a via point");
-  add_stop(why, environment, request.to, "the goal");
-  if (why.besides.size() > before) return why;
 
+  const std::size_t before = why.besides.size();
   if (end_around(why.at, [&](geo::LonLat place) { return depth_is_known(environment, place); }))
     add_end(why, environment.bathymetry->grid(), "depths");
   if (!environment.currents) return why;

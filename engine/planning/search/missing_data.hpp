@@ -18,9 +18,10 @@ namespace floeplan::planning::search {
 [[nodiscard]] messages::Message explain_missing_depth(const ocean::Environment& environment,
                                                       geo::LonLat where, const std::string& place);
 
-/// Adds to a refusal for missing data which stops lie outside the currents or, if all lie inside, which data
-/// end at the place that the search reached. If the currents end before the route, adds that the vehicle may
-/// depart earlier, if the stored currents begin early enough. Returns other refusals unchanged.
+/// Completes a refusal. If stops lie outside the currents, the result names all of them, with the first as its
+/// place, instead of the place where the search ended. Otherwise a refusal for missing data also names the
+/// data that end near the place that the search reached; and if the currents end before the route does, it
+/// says that the vehicle may depart earlier, if the stored currents begin early enough.
 [[nodiscard]] Infeasible with_missing_data(Infeasible why, const ocean::Environment& environment,
                                            const PlanRequest& request);
 

@@ -425,9 +425,8 @@ TEST(PlanRoute, AdvisesALargerAgeOfSightingsOnlyIfThatHelps) {
     const auto made = plan({.icebergs = {old}}, request);
     const auto told = messages::sentences(made.value().messages);
     EXPECT_THAT(told, testing::Contains(testing::HasSubstr("1 iceberg was ignored (B-17)")));
-    return std::ranges::any_of(told, [](const std::string& text) {
-      return text.find("--max-sighting-age") != std::string::npos;
-    });
+    return std::ranges::any_of(
+        told, [](const std::string& text) { return text.find("--max-sighting-age") != std::string::npos; });
   };
 
   EXPECT_TRUE(advised(5.0));
@@ -471,15 +470,39 @@ TEST(PlanRoute, NamesTheCurrentsThatAGoalLiesOutside) {
   const auto found = plan({.currents = currents_from(tide, 72)}, request_beyond_the_data());
 
   ASSERT_FALSE(found.has_value());
-  EXPECT_NE(found.error().explanation().find("The goal lies 12 km east of the stored currents"),
-            std::string::npos)
-      << found.error().explanation();
-  EXPECT_EQ(found.error().suggestion(), "Move the goal, or ingest currents that cover it");
+  EXPECT_THAT(found.error().explanation(),
+              testing::StartsWith("the goal lies 12 km east of the stored currents"));
+  EXPECT_EQ(found.error().suggestion(),
+            "Move the goal into the water of the currents, or ingest currents that cover it");
 }
 
 /// Water of the model only in the west of the grid, as on a bent grid, which fills its box in part.
 geo::VelocityEn still_water_in_the_west(geo::LonLat place, double) {
   return place.lon_deg < -52.95 ? geo::VelocityEn{{0.0}, {0.0}} : geo::VelocityEn{{NAN}, {NAN}};
+}
+
+TEST(PlanRoute, NamesAGoalOutsideTheCurrentsAlsoWhereTheSearchEndedAtTheirLastHour) {
+  for (const int hours : {4, 72}) {
+    const auto found = plan({.currents = currents_from(still_water_in_the_west, hours)}, eastward_request());
+
+    ASSERT_FALSE(found.has_value());
+    EXPECT_THAT(found.error().explanation(), testing::StartsWith("the goal lies ")) << hours;
+    EXPECT_EQ(found.error().reason, Reason::outside_data);
+  }
+}
+
+TEST(PlanRoute, NamesAStartOutsideTheCurrentsBeforeAGoalOutsideThem) {
+  PlanRequest request = request_beyond_the_data();
+  request.from = {-49.8, 69.0};
+
+  const auto found = plan({.currents = currents_from(tide, 72)}, request);
+
+  ASSERT_FALSE(found.has_value());
+  EXPECT_THAT(found.error().explanation(), testing::MatchesRegex("the start lies .* east of .*"
+                                                                 "\\. The goal lies 12 km east of .*"));
+  EXPECT_EQ(found.error().at, request.from);
+  EXPECT_EQ(found.error().suggestion(),
+            "Move the start into the water of the currents, or ingest currents that cover it");
 }
 
 TEST(PlanRoute, TellsTheNearestWaterOfTheCurrentsToAGoalWithinTheirBox) {
@@ -490,7 +513,8 @@ TEST(PlanRoute, TellsTheNearestWaterOfTheCurrentsToAGoalWithinTheirBox) {
       found.error().explanation(),
       testing::HasSubstr("east of the nearest water of the stored currents, which is at -53.0000, 69.0000"));
   EXPECT_THAT(found.error().explanation(), testing::Not(testing::HasSubstr("in this area")));
-  EXPECT_EQ(found.error().suggestion(), "Move the goal, or ingest currents that cover it");
+  EXPECT_EQ(found.error().suggestion(),
+            "Move the goal into the water of the currents, or ingest currents that cover it");
 }
 
 TEST(PlanRoute, SaysThatTheCurrentsHaveNoWaterInTheSearchArea) {
