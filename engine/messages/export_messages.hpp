@@ -195,8 +195,9 @@ inline constexpr auto export_kinds = std::to_array<Kind>({
      .slots = {{{"waypoints", "2 to 4"}}}},
     {.code = "currents-of-legs-not-told",
      .rank = Rank::caution,
-     .text = "An older version stored the plan, without the currents on its legs. The goto lists may therefore "
-             "allow too little for the drift, and the vehicle may come beside ice or below it",
+     .text =
+         "An older version stored the plan, without the currents on its legs. The goto lists may therefore "
+         "allow too little for the drift, and the vehicle may come beside ice or below it",
      .hint = "Plan again before the flight."},
 
     // Below ice and icebergs.
@@ -287,8 +288,9 @@ inline constexpr auto export_kinds = std::to_array<Kind>({
     // The yo.
     {.code = "yo-above-plan",
      .rank = Rank::caution,
-     .text = "The yo turns at {yo_m:.0f} m instead of the planned {planned_m:.0f} m, because the vehicle "
-             "aborts at its depth rating of {rating_m:.0f} m",
+     .text =
+         "The yo turns at {yo_m:.0f} m instead of the planned {planned_m:.0f} m. A glider dives deeper than "
+         "this depth before it turns, and it aborts at its depth rating of {rating_m:.0f} m",
      .hint = "Check the energy and the times with this depth (--dive-depth {yo_m:.0f}).",
      .slots = {{{"yo_m", 980.0}, {"planned_m", 1000.0}, {"rating_m", 1000.0}}}},
     {.code = "pump-of-profile",

@@ -155,8 +155,8 @@ inline constexpr auto mission_fault_kinds = std::to_array<Kind>({
     {.code = "not-flown-by-yo",
      .text = "cannot be flown {how}; {instead}",
      .slots = {{{"how",
-                 "by the one yo of the mission, which turns between 90 m and 196 m on the whole route, "
-                 "before waypoint 3: the route comes too close to an iceberg"},
+                 "by the one yo of the mission, which turns between 90 m and 196 m on the whole "
+                 "route. Before waypoint 3, the route comes too close to an iceberg"},
                 {"instead", "plan again with a climb_to_m of 90"}}}},
 
     // Seagliders.

@@ -112,7 +112,7 @@ YoFlight fly_by_yo(const ocean::Environment& environment, const std::vector<geo:
   const std::string instead = way_out(plan, request.vehicle, yo);
   for (const RouteFinding& finding : check.findings) {
     const std::string text =
-        flyer + ", before waypoint " + std::to_string(finding.place) + ": " + finding.text;
+        flyer + ". Before waypoint " + std::to_string(finding.place) + ", " + finding.text;
     if (finding.dangerous)
       result.violations.push_back(messages::mission_fault<"not-flown-by-yo">("/waypoints", text, instead));
     else

@@ -18,9 +18,9 @@ constexpr std::string_view start_when_waypoint_hit = "8";
 constexpr std::string_view start_when_every = "9";
 constexpr std::string_view start_when_silent = "12";
 
-// A glider overshoots its target and aborts at its overdepth. Operators of shallow vehicles set the overdepth
-// 10 to 15 % below the target. Those of 1000 m vehicles dive to 980 m (missions of the Southwest Fisheries
-// Science Center).
+// A glider dives deeper than its target before it turns, and aborts at its overdepth. Operators of shallow
+// vehicles set the overdepth 10 to 15 % below the target. Those of 1000 m vehicles dive to 980 m (missions of
+// the Southwest Fisheries Science Center).
 constexpr double overshoot_of_shallow = 1.10;
 constexpr double deep_share_of_rating = 0.98;
 constexpr double usual_overdepth = 1.15;
@@ -34,7 +34,8 @@ constexpr double silence_shallow_s =
 constexpr double silence_deep_s = 28'800.0;     // 1000 m missions of operators
 constexpr double regular_shallow_s = 10'800.0;  // stock missions
 constexpr double regular_deep_s = 21'600.0;     // longest in 1000 m missions of operators
-constexpr double least_climb_m = 3.0;           // minimum of c_target_depth in the same dictionary
+constexpr double round_depth_m = 10.0;  // a target from 100 m on is a multiple of this, as operators write it
+constexpr double least_climb_m = 3.0;   // minimum of c_target_depth in the same dictionary
 constexpr double silence_under_ice_share = 1.25;
 
 struct SurfacingKind {
@@ -111,9 +112,10 @@ MissionFile yo_file(const planning::Plan& plan, const MissionSetOptions& options
 
 core::Metres target_depth(const vehicle::GliderProfile& vehicle) {
   const double rating_m = vehicle.depth_rating.value;
-  const double lowest_m =
-      is_shallow(vehicle) ? std::min(rating_m / overshoot_of_shallow, rating_m - least_overshoot_shallow_m)
-                          : std::min(deep_share_of_rating * rating_m, rating_m - least_overshoot_deep_m);
+  double lowest_m = is_shallow(vehicle)
+                        ? std::min(rating_m / overshoot_of_shallow, rating_m - least_overshoot_shallow_m)
+                        : std::min(deep_share_of_rating * rating_m, rating_m - least_overshoot_deep_m);
+  if (lowest_m >= 10.0 * round_depth_m) lowest_m = round_depth_m * std::floor(lowest_m / round_depth_m);
   return {std::floor(std::min(vehicle.dive_depth.value, lowest_m))};
 }
 

@@ -50,7 +50,7 @@ class ExportSeaTest : public support::ApiTest {
     repository::DatasetRepository{db_}.insert(dataset);
   }
 
-  /// A plan of one leg on 69 N whose dives turn so deep on the way.
+  /// A plan of one leg on 69 N whose dives turn at this depth.
   void store(const std::string& id, double from_deg, double to_deg, double upper_turn_m) {
     planning::Plan plan;
     plan.vehicle = "slocum-g3-200";
@@ -75,7 +75,7 @@ class ExportSeaTest : public support::ApiTest {
     repository::PlanRepository{db_}.insert(record);
   }
 
-  /// The answer whatever the newest data say of the plan's legs.
+  /// The answer to an export that accepts all dangers of the newest data.
   routes::Response answer(const std::string& id, const std::string& what) {
     const std::string separator = what.find('?') == std::string::npos ? "?" : "&";
     return ask("GET", "/collections/plans/items/" + id + "/" + what + separator + "accept_dangers=true");
@@ -119,7 +119,7 @@ TEST_F(ExportSeaTest, OneYoForAWayBelowIceIsNotWrittenWhereItMeetsTooStrongACurr
   EXPECT_EQ(refused.status, 400);
   EXPECT_THAT(refused.body,
               AllOf(HasSubstr("cannot be flown by the one yo of the mission, which turns between "
-                              "58 m and 181 m on the whole route"),
+                              "58 m and 180 m on the whole route"),
                     HasSubstr("too strong")));
 }
 

@@ -15,7 +15,7 @@ using testing::Field;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// With the vehicle near the surface, against it far below.
+/// The current runs with the vehicle near the surface, and against it far below.
 ocean::Environment sheared_sea() { return {.currents = support::sheared_currents(200)}; }
 
 planning::PlanRequest request_of(const char* vehicle) {
@@ -64,8 +64,8 @@ TEST(YoFlight, IsRefusedWhereTheCurrentAtItsDepthsStopsTheVehicle) {
   EXPECT_THAT(
       flight_of(sheared_sea(), request, plan).violations,
       ElementsAre(Field(&core::Violation::rule,
-                        AllOf(HasSubstr("turns between 90 m and 181 m on the whole route"),
-                              HasSubstr("before waypoint 1: at "), HasSubstr("the current is too strong"),
+                        AllOf(HasSubstr("turns between 90 m and 180 m on the whole route"),
+                              HasSubstr("on the whole route. Before waypoint 1, at "), HasSubstr("the current is too strong"),
                               HasSubstr("plan again with a climb_to_m of 90")))));
 }
 
@@ -74,7 +74,7 @@ TEST(YoFlight, TellsTheTimesAndTheDrawThatAreNotThePlans) {
   const planning::Plan plan = below_ice(planned(sheared_sea(), request), 90.0);
   planning::PlanRequest deep = request;
   deep.vehicle.climb_to = core::Metres{90.0};
-  deep.vehicle.dive_depth = core::Metres{181.0};
+  deep.vehicle.dive_depth = core::Metres{180.0};
 
   const YoFlight flight = flight_of(sheared_sea(), request, plan);
 

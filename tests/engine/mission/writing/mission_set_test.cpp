@@ -73,7 +73,7 @@ struct OvershootRoom {
 
 TEST(MissionSet, LeavesRoomForAnOvershootBetweenTheYoAndTheOverdepth) {
   for (const OvershootRoom& room :
-       {OvershootRoom{"slocum-g3-30", 30.0, 27.0, 30.0}, OvershootRoom{"slocum-g3-200", 200.0, 181.0, 200.0},
+       {OvershootRoom{"slocum-g3-30", 30.0, 27.0, 30.0}, OvershootRoom{"slocum-g3-200", 200.0, 180.0, 200.0},
         OvershootRoom{"slocum-g3-200", 100.0, 100.0, 115.0}, OvershootRoom{"slocum-g3-200", 12.0, 12.0, 15.0},
         OvershootRoom{"slocum-g3-1000", 1000.0, 980.0, 1000.0},
         OvershootRoom{"slocum-g3-1000", 100.0, 100.0, 120.0}}) {
@@ -258,7 +258,7 @@ TEST(MissionSet, UnderIceHoldsTheSafePlacesAndDoesNotComeUpAtWaypoints) {
   EXPECT_THAT(messages::sentences(set->messages), Contains(HasSubstr("recov.mi")));
 }
 
-/// Safe places are for emergencies; only ice keeps the vehicle from surfacing on its way.
+/// Safe places are for emergencies; only ice prevents surfacings on the route.
 TEST(MissionSet, WithSafePlacesAndNoIceOnItsRouteSurfacesAsInOpenWater) {
   planning::Plan open = two_legs();
   open.surfacing.emplace();

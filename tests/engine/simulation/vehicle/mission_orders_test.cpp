@@ -41,7 +41,7 @@ TEST(MissionOrders, AreThoseOfTheExportedFiles) {
   ASSERT_THAT(orders->lists, SizeIs(1));
   EXPECT_THAT(orders->lists.front().waypoints, SizeIs(2));
   EXPECT_EQ(orders->lists.front().rows.legs, -2);
-  EXPECT_EQ(orders->yo.dive.depth, core::Metres{181.0});
+  EXPECT_EQ(orders->yo.dive.depth, core::Metres{180.0});
   EXPECT_NEAR(orders->yo.dive.pitch_rad, -0.4538, 1e-9);
   EXPECT_NEAR(orders->yo.climb.buoyancy_m3, 230e-6, 1e-12);
   EXPECT_THAT(orders->surfaces, SizeIs(5));
