@@ -186,6 +186,13 @@ inline constexpr auto ingest_file_kinds = std::to_array<Kind>({
          "the columns id, lat, lon and time. For depths it reads tables with lon, lat and depth or elevation",
      .hint = "Rename the columns to these names, or convert the table to GeoJSON",
      .slots = {{{"columns", "x, y and z"}}}},
+    {.code = "table-of-measurements",
+     .rank = Rank::caution,
+     .text = "this is a table of measurements of the water (columns {columns}), such as a glider's CTD "
+             "writes. A plan does not use measurements, so nothing was stored",
+     .hint = "For the glider's track and its depth-averaged currents, give its log or its NetCDF file. "
+             "`floeplan formats` lists what can be read",
+     .slots = {{{"columns", "time, depth, temperature and salinity"}}}},
     {.code = "text-named-as-netcdf",
      .rank = Rank::caution,
      .text = "the file is named like NetCDF but holds text (\"{begin}\"). The download probably returned an "
@@ -243,11 +250,11 @@ inline constexpr auto ingest_file_kinds = std::to_array<Kind>({
     // Contents of a NetCDF file.
     {.code = "current-as-direction",
      .rank = Rank::caution,
-     .text = "the file holds {what} as a speed and a direction, which this program does not read. A "
-             "direction from which it comes must not be read as a direction towards which it goes",
-     .hint = "Ask for components towards east and north, or compute them. For a direction towards which it "
-             "goes, u = speed * sin(direction) and v = speed * cos(direction). For a direction from which it "
-             "comes, take the negative of both",
+     .text = "the file holds {what} as a speed and a direction, which this program does not read, "
+             "because the direction may be the one towards which it goes or the one from which it comes",
+     .hint = "Ask for components towards east and north, or compute them. For a direction towards "
+             "which it goes, u = speed * sin(direction) and v = speed * cos(direction). For a "
+             "direction from which it comes, take the negative of both",
      .slots = {{{"what", "the current"}}}},
     {.code = "grid-of-old-gmt",
      .rank = Rank::caution,
@@ -263,8 +270,8 @@ inline constexpr auto ingest_file_kinds = std::to_array<Kind>({
      .rank = Rank::caution,
      .text = "this is a dataset of water levels (S-104), which is not stored. Plans take depths from their "
              "datum and never count on the water that a tide adds",
-     .hint = "To see the tide at a place, give harmonic constants, from which the probe predicts the level. "
-             "For currents give S-111"},
+     .hint = "To see the tide at a place, give harmonic constants; `floeplan probe` then predicts the "
+             "water level. For currents give S-111"},
     {.code = "hydrographic-product-not-read",
      .rank = Rank::caution,
      .text = "this is a dataset of the S-100 product {product} in HDF5. Of S-100, this program reads only "

@@ -60,12 +60,12 @@ inline constexpr auto ingest_velocity_kinds = std::to_array<Kind>({
      .text =
          "\"{variable}\" was read as {component}, as its standard name says, but its {other} says otherwise",
      .hint = "Check which of them is right",
-     .slots = {{{"variable", "uo"}, {"component", "the eastward one"}, {"other", "long name"}}}},
+     .slots = {{{"variable", "uo"}, {"component", "the eastward component"}, {"other", "long name"}}}},
     {.code = "taken-by-long-name",
      .rank = Rank::caution,
      .text = "\"{variable}\" was read as {component}, as its long name says, but its own name says otherwise",
      .hint = "Check which of them is right",
-     .slots = {{{"variable", "uo"}, {"component", "the eastward one"}}}},
+     .slots = {{{"variable", "uo"}, {"component", "the eastward component"}}}},
     {.code = "component-contradicts-itself",
      .rank = Rank::caution,
      .text = "\"{variable}\" contradicts itself. By its standard name ({standard_name}) it is {one}, by its "
@@ -73,9 +73,9 @@ inline constexpr auto ingest_velocity_kinds = std::to_array<Kind>({
      .hint = "Ask the producer, or correct the wrong attribute",
      .slots = {{{"variable", "uo"},
                 {"standard_name", "eastward_sea_water_velocity"},
-                {"one", "the eastward one"},
+                {"one", "the eastward component"},
                 {"long_name", "northward velocity"},
-                {"other", "the northward one"}}}},
+                {"other", "the northward component"}}}},
     {.code = "counts-the-other-way",
      .rank = Rank::caution,
      .text = "\"{variable}\" counts {direction} by its long name (\"{long_name}\"), which is the reverse of "

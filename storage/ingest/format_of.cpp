@@ -80,6 +80,8 @@ bool is_text(std::string_view head) {
 /// The message for a text file that has no known format.
 messages::Message unknown_text(const FileStart& start, const std::string& extension) {
   const std::string line = trimmed(start.first_line());
+  if (names_water_properties(line) && DelimitedText{line}.columns().size() >= 2)
+    return messages::ingest_file_message<"table-of-measurements">(enumeration(DelimitedText{line}.headers()));
   if (!contains_any(line, {"[", "<"}) && csv_fields(line).size() >= 3)
     return messages::ingest_file_message<"table-not-recognised">(enumeration(csv_fields(line)));
   if (extension == ".nc" || extension == ".cdf" || extension == ".nc4")

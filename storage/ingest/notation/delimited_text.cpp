@@ -74,6 +74,15 @@ std::optional<double> DelimitedText::number(std::string_view field) const {
   return parse_number(text);
 }
 
+bool names_water_properties(std::string_view header) {
+  const DelimitedText table{header};
+  return std::ranges::any_of(table.columns(), [](const std::string& name) {
+    return name == "temp" || name == "cond" || name == "psal" ||
+           contains_any(name,
+                        {"temperature", "salinity", "conductivity", "chlorophyll", "oxygen", "sci_water"});
+  });
+}
+
 std::vector<std::string> csv_fields(const std::string& line) {
   std::vector<std::string> fields(1);
   bool quoted = false;

@@ -33,6 +33,10 @@ class DelimitedText {
   std::vector<std::string> headers_;
 };
 
+/// Whether a header names measurements of the water, such as the temperature and salinity of a glider's CTD.
+/// The depths of such a table are those of the sensor, not of the sea bed.
+[[nodiscard]] bool names_water_properties(std::string_view header);
+
 /// The fields of one line of comma-separated values; quotes as in RFC 4180, but no line ends inside them.
 [[nodiscard]] std::vector<std::string> csv_fields(const std::string& line);
 

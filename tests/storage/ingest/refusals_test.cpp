@@ -37,6 +37,16 @@ TEST_F(Refusals, ATextNamedLikeNetcdf) {
   expect_refused(write_file("page.nc", "<html>Sign in to download</html>\n"), "holds text");
 }
 
+TEST_F(Refusals, AGlidersMeasurementsOfTheWater) {
+  expect_refused(
+      write_file("ctd.csv",
+                 "time,latitude,longitude,depth,temperature,salinity\n"
+                 "2026-11-20T06:00:00Z,69.2,-52.1,12.5,1.3,33.1\n"),
+      "measurements of the water (columns time, latitude, longitude, depth, temperature and salinity)");
+  expect_refused(write_file("ctd.txt", "timestamp pressure conductivity\n0 12.5 2.9\n"),
+                 "measurements of the water");
+}
+
 TEST_F(Refusals, AZarrStoreWithNothingInIt) {
   std::filesystem::create_directories(path("store.zarr"));
   write_file("store.zarr/zarr.json", R"({"zarr_format": 3, "node_type": "group"})");

@@ -137,7 +137,9 @@ Checked<std::vector<float>> values_on(const EvenNodes& x, const EvenNodes& y, co
 
 }  // namespace
 
-bool is_depth_table_header(std::string_view line) { return columns_of(DelimitedText{line}).has_value(); }
+bool is_depth_table_header(std::string_view line) {
+  return columns_of(DelimitedText{line}).has_value() && !names_water_properties(line);
+}
 
 Checked<std::unique_ptr<GDALDataset>> open_depth_table(const std::filesystem::path& file) {
   std::ifstream in{file};

@@ -11,7 +11,7 @@ class GDALDataset;
 namespace floeplan::ingest {
 
 /// Whether a first line names the columns of a table of depths: a position (longitude and latitude, or x and
-/// y), and a depth, elevation or z.
+/// y), and a depth, elevation or z, but no measurement of the water.
 [[nodiscard]] bool is_depth_table_header(std::string_view line);
 
 /// Reads a table of depths with named columns, one position per line, fields separated by commas, semicolons,

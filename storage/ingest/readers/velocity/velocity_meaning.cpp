@@ -63,8 +63,8 @@ std::optional<Component> component_in_long_name(const std::string& words) {
 
 std::string in_words(Component component, VelocityAxes axes) {
   if (axes == VelocityAxes::grid)
-    return component == Component::first ? "the one along x" : "the one along y";
-  return component == Component::first ? "the eastward one" : "the northward one";
+    return component == Component::first ? "the component along x" : "the component along y";
+  return component == Component::first ? "the eastward component" : "the northward component";
 }
 
 /// The axes according to the words of a component. A name alone counts only if it follows a convention.
