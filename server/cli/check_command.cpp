@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <memory>
@@ -40,13 +42,40 @@ std::optional<std::string> read_bytes(const std::string& file) {
   return bytes;
 }
 
+bool is_mission_file(const std::filesystem::path& file) {
+  const std::string name = file.filename().string();
+  return file.extension() == ".ma" || file.extension() == ".mi" || name == "targets" || name == "science" ||
+         name == "cmdfile";
+}
+
+/// The files as named, and instead of a folder the mission files in it, in the order of their names. A folder
+/// without mission files stays.
+std::vector<std::string> with_files_of_folders(const std::vector<std::string>& named) {
+  std::vector<std::string> files;
+  for (const std::string& name : named) {
+    std::vector<std::string> found;
+    std::error_code error;  // a folder that cannot be read holds no files
+    for (const auto& entry : std::filesystem::directory_iterator{name, error})
+      if (is_mission_file(entry.path())) found.push_back(entry.path().string());
+    std::ranges::sort(found);
+    if (found.empty()) found.push_back(name);
+    files.insert(files.end(), found.begin(), found.end());
+  }
+  return files;
+}
+
 mission::Document document_of(const std::string& file) {
   const std::string name = std::filesystem::path{file}.filename().string();
   if (const auto bytes = read_bytes(file)) return mission::read_document(name, *bytes);
   mission::Document unreadable;
   unreadable.name = name;
+  const bool is_folder = std::filesystem::is_directory(file);
   unreadable.messages.push_back(
-      {0, mission::Severity::error, "unreadable", "the file cannot be read; check its name and rights"});
+      {0, mission::Severity::error, "unreadable",
+       is_folder
+           ? "the folder holds no mission files (.ma, .mi, targets, science, cmdfile); name these files, "
+             "or the folder that holds them"
+           : "the file cannot be read; check its name and rights"});
   return unreadable;
 }
 
@@ -115,15 +144,20 @@ void add_check(CLI::App& app, Program& program) {
       "check",
       "Read mission files (.ma, .mi; a Seaglider's targets, science, cmdfile) and judge them; "
       "with --depart as one flight through the stored data");
-  command->add_option("FILE", flags->files, "Mission files, lists in the order in which they are flown")
+  command
+      ->add_option("FILE", flags->files,
+                   "Mission files, lists in the order in which they are flown; or a folder of them")
       ->required();
   command->add_option("--from", flags->from, "Where the vehicle is, LON,LAT; default: the first waypoint");
   command->add_option("--plan", flags->plan,
-                      "Id of a stored plan: tell where goto lists and holds are not as it has them");
+                      "Id of a stored plan: tell where goto lists and holds differ from it");
   flags->sea.add_request(*command, "the inputs of process evaluate-route, without a route");
   flags->sea.add(*command, fields::conditions_of_route());
   command->add_flag("--json", flags->json_out, "Answer with one JSON document");
-  command->callback([flags, &program] { program.exit_code = run_check(*flags, program); });
+  command->callback([flags, &program] {
+    flags->files = with_files_of_folders(flags->files);
+    program.exit_code = run_check(*flags, program);
+  });
 }
 
 }  // namespace floeplan::cli

@@ -19,6 +19,9 @@ namespace floeplan::codec {
 /// Hours and minutes of a time, rounded to whole minutes: "2 h 40 min", "12 min".
 [[nodiscard]] std::string hours_minutes(core::Seconds time);
 
+/// A distance as the map shows it: "812 m" below a kilometre, "3.2 km", "142 km" from 100 km on.
+[[nodiscard]] std::string distance_text(core::Metres distance);
+
 /// A longitude or latitude rounded to 1e-7 degrees (1 cm).
 [[nodiscard]] double document_degrees(double degrees);
 /// The time in ISO 8601; null if there is none.

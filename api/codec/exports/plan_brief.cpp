@@ -33,6 +33,10 @@ std::string number(std::optional<double> value, int decimals, double factor = 1.
   return text.data();
 }
 
+std::string distance(const std::optional<core::Metres>& known) {
+  return known ? distance_text(*known) : "not known";
+}
+
 constexpr const char* style =
     "@page{size:A4;margin:12mm}body{font:10pt sans-serif;color:#111;max-width:190mm;margin:auto}"
     "h1{font-size:16pt;margin:0 0 2mm}p,ul{margin:1mm 0}svg{width:100%;height:auto;border:1px solid #888}"
@@ -149,10 +153,10 @@ std::vector<std::string> brief_facts(const planning::Plan& plan, const BriefNote
       "Vehicle " + plan.vehicle + ". Departure " + core::iso8601(plan.departure) + ", arrival " +
           core::iso8601(plan.arrival) + ": " + number(plan.travel_time().count() / 3600.0, 1) + " h, " +
           number(plan.distance.value / 1000.0, 1) + " km.",
-      "Clear of icebergs by " + number(bare(plan.clearances.iceberg), 0) + " m" +
+      "Least distance to icebergs " + distance(plan.clearances.iceberg) +
           (plan.clearances.nearest_iceberg.empty() ? "" : " (" + plan.clearances.nearest_iceberg + ")") +
-          ", of land by " + number(bare(plan.clearances.land), 0) + " m, of the bottom by " +
-          number(bare(plan.clearances.bottom), 0) + " m (- : not known)."};
+          ", to land " + distance(plan.clearances.land) + ", to the sea bed " +
+          distance(plan.clearances.bottom) + "."};
   std::ranges::move(hold_facts(plan), std::back_inserter(facts));
   if (plan.iceberg_encounters)
     facts.push_back("Expected encounters with icebergs: " + number(*plan.iceberg_encounters, 2) + ".");

@@ -214,11 +214,12 @@ std::vector<std::string> uncertainty_lines(const json& plan) {
 std::vector<std::string> clearance_lines(const json& plan) {
   const json& clearances = plan.at("clearances");
   std::string known;
-  for (const auto& [name, from] :
-       {std::pair{"iceberg_m", "icebergs"}, {"land_m", "land"}, {"bottom_m", "the bottom"}}) {
+  for (const auto& [name, to] :
+       {std::pair{"iceberg_m", "icebergs"}, {"land_m", "land"}, {"bottom_m", "the sea bed"}}) {
     const json& clearance = clearances.at(name);
-    if (clearance.is_null()) continue;
-    known += (known.empty() ? "clear of " : ", of ") + std::string{from} + " by " + cell(clearance, "%.0f m");
+    if (!clearance.is_number()) continue;
+    known += (known.empty() ? "least distance " : ", ") + std::string{"to "} + to + ' ' +
+             codec::distance_text(core::Metres{clearance.get<double>()});
   }
   std::vector<std::string> lines;
   if (!known.empty()) lines.push_back(std::move(known));

@@ -48,14 +48,34 @@ TEST(Check, TellsAPersonVerdictAndReasons) {
 
 TEST(Check, RejectsWhatCannotBeRead) {
   const Program program;
-  for (const std::string& file : {program.folder().string(), (program.folder() / "none.ma").string(),
-                                  write(program.folder() / "large.ma", std::string(100'000, 'x')),
-                                  write(program.folder() / "junk.ma", std::string(100, '\0'))}) {
+  std::filesystem::create_directories(program.folder() / "empty");
+  for (const std::string& file :
+       {(program.folder() / "empty").string(), (program.folder() / "none.ma").string(),
+        write(program.folder() / "large.ma", std::string(100'000, 'x')),
+        write(program.folder() / "junk.ma", std::string(100, '\0'))}) {
     const Outcome outcome = program.run({"check", file, "--json"});
     EXPECT_EQ(outcome.exit_code, 3) << file;
     EXPECT_EQ(outcome.json()[0]["verdict"], "reject") << file;
   }
   EXPECT_EQ(program.run({"check"}).exit_code, 2);
+}
+
+TEST(Check, ReadsTheMissionFilesOfAFolder) {
+  const Program program;
+  const std::filesystem::path folder = program.folder() / "mission";
+  std::filesystem::create_directories(folder);
+  write(folder / "yo10.ma", yo);
+  write(folder / "floe.mi", "behavior: abend\n");
+  write(folder / "README.txt", "not a mission");
+
+  const auto answers = program.run({"check", folder.string(), "--json"}).json();
+
+  ASSERT_EQ(answers.size(), 2U);
+  EXPECT_EQ(answers[0]["file"], (folder / "floe.mi").string());
+  EXPECT_EQ(answers[1]["file"], (folder / "yo10.ma").string());
+  std::filesystem::create_directories(program.folder() / "empty");
+  EXPECT_THAT(program.run({"check", (program.folder() / "empty").string()}).out,
+              HasSubstr("the folder holds no mission files"));
 }
 
 const std::string list =

@@ -102,7 +102,8 @@ TEST(PlanIdentity, IsThatOfTheInputsAndThePlanNotOfItsWords) {
   EXPECT_NE(plan_identity({{"from", {-53.0, 69.2}}}, plan), id);
 }
 
-/// A berg that was not named before is news, though the kind of message is the same; of notes only the kind counts.
+/// The values of a message decide: a berg that was not named before makes another plan, although the message
+/// is of the same kind. Of a note only the kind decides.
 TEST(PlanIdentity, CountsTheValuesOfDangersAndCautions) {
   const auto id_with = [](messages::Message message) {
     planning::Plan plan = two_legs();
@@ -367,11 +368,21 @@ TEST(PlanBrief, NamesTheNearestIcebergTheEncountersAndTheSafePlaces) {
 
   const auto facts = brief_facts(plan, notes);
 
-  EXPECT_THAT(facts, testing::Contains(HasSubstr("Clear of icebergs by 812 m (B-17), of land")));
+  EXPECT_THAT(facts, testing::Contains(HasSubstr("Least distance to icebergs 812 m (B-17), to land")));
   EXPECT_THAT(facts, testing::Contains("Expected encounters with icebergs: 0.03."));
   EXPECT_THAT(facts,
               testing::Contains("Safe places: R1 69 12.000 N, 53 12.000 W; R2 69 00.000 N, 53 00.000 W."));
   EXPECT_THAT(plan_document(plan, "p-01", "").at("clearances").at("iceberg_id"), "B-17");
+}
+
+TEST(PlanBrief, GivesLongDistancesInKilometres) {
+  planning::Plan plan = two_legs();
+  plan.clearances = {.iceberg = core::Metres{141'718.0}, .land = core::Metres{3'240.0}, .bottom = {}};
+
+  const auto facts = brief_facts(plan, {.plan_id = "p-01", .name = "", .messages = {}});
+
+  EXPECT_THAT(facts, testing::Contains(
+                         "Least distance to icebergs 142 km, to land 3.2 km, to the sea bed not known."));
 }
 
 TEST(PlanBrief, GroupsItsMessagesByRankWithTheirPlaces) {
@@ -488,7 +499,7 @@ TEST(PlanBrief, NamesTheAlternativesOfThePlan) {
   EXPECT_THAT(plan_brief_html(plan, pictures, {"p-01", "", {}, {}}), Not(HasSubstr("Alternatives")));
 }
 
-/// What stands between two texts, wherever the first of them is found.
+/// All texts between an opening and a closing text.
 std::vector<std::string> all_between(const std::string& text, const std::string& before,
                                      const std::string& after) {
   std::vector<std::string> found;
