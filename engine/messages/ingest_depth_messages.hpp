@@ -224,8 +224,8 @@ inline constexpr auto ingest_depth_kinds = std::to_array<Kind>({
      .hint = "Ask the chart's producer for an edition in metres"},
     {.code = "chart-datum",
      .rank = Rank::note,
-     .text = "the depths count from the sounding datum of the chart ({datum}), which is mostly a low water. "
-             "With the tide, the sea is usually deeper than these depths",
+     .text = "the depths count from the sounding datum of the chart ({datum}), which is usually a "
+             "level of low water. With the tide, the sea is usually deeper than these depths",
      .slots = {{{"datum", "code 23 of S-57's VERDAT"}}}},
     {.code = "chart-objects-unreadable",
      .rank = Rank::caution,

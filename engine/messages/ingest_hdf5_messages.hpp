@@ -19,8 +19,8 @@ inline constexpr auto ingest_hdf5_kinds = std::to_array<Kind>({
      .slots = {{{"part", "uo"}, {"reason", "has its values in another file"}}}},
     {.code = "hdf-hides-something",
      .rank = Rank::caution,
-     .text = "the file cannot be read to its end, and its hidden parts could lead to other files. It is "
-             "damaged or was cut short",
+     .text = "the file cannot be read to its end. It is damaged or was cut short, and the part that "
+             "cannot be read could refer to other files",
      .hint = "Copy or download it again"},
 
     // S-100.

@@ -100,17 +100,18 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
                 {"error_km", 2.3}}}},
     {.code = "longer-below-ice-without-leads",
      .rank = Rank::danger,
-     .text = "the vehicle could miss the leads that are narrower than its position error. Without them "
-             "it has no place to surface for {sure_h:.0f} h, not for {longest_h:.0f} h. During this time "
-             "it has no fix and no contact, and it cannot surface in an emergency",
+     .text = "the plan counts on leads that are narrower than the position error, so the vehicle could "
+             "miss them. With these leads it is at most {longest_h:.0f} h without a place to surface, "
+             "without them {sure_h:.0f} h. During this time it has no fix and no contact, and it "
+             "cannot surface in an emergency",
      .hint = "Limit this time (--max-time-without-surfacing), or lead the route away from the ice "
              "(--via)",
      .slots = {{{"sure_h", 71.0}, {"longest_h", 17.0}}}},
     // A danger: beyond the pilot's own limit, and an error as large as expected is enough.
     {.code = "leads-may-be-missed",
      .rank = Rank::danger,
-     .text = "the route keeps the limit of {bound_h:.1f} h without a place to surface only through leads "
-             "that the vehicle could miss. Without the leads that are narrower than the position error, the "
+     .text = "the route keeps the limit of {bound_h:.1f} h without a place to surface only if the "
+             "vehicle finds leads that are narrower than its position error. Without these leads, the "
              "longest time is {sure_h:.1f} h",
      .hint =
          "Set a shorter limit (--max-time-without-surfacing), or lead the route away from the ice (--via)",
@@ -147,9 +148,10 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
      .slots = {{{"ignored", 2}, {"departure", "2027-01-12T06:00:00Z"}, {"names", "B-17, B-18"}}}},
     {.code = "drift-unknown-near-route",
      .rank = Rank::caution,
-     .text = "{near} of {icebergs} {icebergs:iceberg|icebergs} may come near the route ({names}), but the "
-             "currents are unknown for part of {near:its|their} drift. For that part each iceberg is assumed "
-             "to keep its last observed drift, else to drift with the wind, else to stay in place",
+     .text = "{near} of {icebergs} {icebergs:iceberg|icebergs} may come near the route ({names}), but "
+             "the currents are unknown for part of {near:its|their} drift. For that part the plan "
+             "assumes that each iceberg keeps its last observed drift. An iceberg without such a drift "
+             "is assumed to drift with the wind, or to stay in place if the wind is unknown",
      .hint = "Ingest newer sightings, or currents that begin earlier and cover a wider area",
      .slots = {{{"near", 3}, {"icebergs", 60}, {"names", "B-17, B-18, B-19"}}}},
     {.code = "drift-unknown-elsewhere",
@@ -202,7 +204,8 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
      .text = "on {legs} {legs:leg|legs} the vehicle needs more than {enough_pct:.0f} % of its speed to hold "
              "the course against the current. Leg {leg} at {time} needs the most, {most_pct:.1f} %. A "
              "slightly slower vehicle would drift off the route there",
-     .hint = "Plan with a lower speed (--speed) to keep a reserve",
+     .hint = "Lead the route through weaker current (--via), or depart at another time. Plan with a "
+             "slightly lower speed (--speed) to see whether a route with more reserve exists",
      .slots = {{{"legs", 1},
                 {"enough_pct", 95.0},
                 {"leg", 3},
@@ -356,20 +359,20 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
     // The search for the route.
     {.code = "search-cut-short",
      .rank = Rank::note,
-     .text = "the search stopped at the limit of its work. The plan is valid, but a better route may "
-             "exist",
-     .hint = "Choose a larger grid spacing (--spacing), with which the search ends earlier"},
+     .text = "the search stopped at its limit of computing work. The plan is valid, but a better route "
+             "may exist",
+     .hint = "Choose a larger grid spacing (--spacing), so that the search can finish"},
     {.code = "search-cut-short-near-the-best",
      .rank = Rank::note,
-     .text = "the search stopped at the limit of its work. The plan is valid, but on the same grid a "
-             "route may exist that is faster by up to {gain_min:.0f} min ({gain_pct:.1f} %)",
-     .hint = "Choose a larger grid spacing (--spacing), with which the search ends earlier",
+     .text = "the search stopped at its limit of computing work. The plan is valid, but on the same "
+             "grid a route may exist that is faster by up to {gain_min:.0f} min ({gain_pct:.1f} %)",
+     .hint = "Choose a larger grid spacing (--spacing), so that the search can finish",
      .slots = {{{"gain_min", 4.0}, {"gain_pct", 0.3}}}},
     {.code = "cost-search-cut-short",
      .rank = Rank::note,
-     .text = "the search stopped at the limit of its work. The plan is valid, but a plan of lower cost "
-             "may exist",
-     .hint = "Choose a larger grid spacing (--spacing), with which the search ends earlier"},
+     .text = "the search stopped at its limit of computing work. The plan is valid, but a plan of "
+             "lower cost may exist",
+     .hint = "Choose a larger grid spacing (--spacing), so that the search can finish"},
     {.code = "route-not-refined",
      .rank = Rank::note,
      .text = "the route keeps to the lines of the search grid. A route off these lines would be faster, but "
@@ -384,14 +387,14 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
     // Isochrones: an area that is too small endangers no plan, so most of these are notes.
     {.code = "areas-in-strong-currents",
      .rank = Rank::note,
-     .text = "some currents in the area are as fast as the vehicle and close whole legs of the grid. The "
-             "isochrones may therefore be a few per cent too small",
+     .text = "some currents in the area are as fast as the vehicle, so the search cannot use some legs "
+             "of its grid. The isochrones may therefore be a few per cent too small",
      .hint = "Another grid spacing (--spacing) may show larger isochrones"},
     {.code = "areas-to-a-place-in-strong-currents",
      .rank = Rank::note,
-     .text = "some currents in the area are as fast as the vehicle and close whole legs of the grid. The "
-             "isochrones may therefore be a few per cent too small. They may also miss places from which the "
-             "vehicle arrives in time only after a closed route reopens",
+     .text = "some currents in the area are as fast as the vehicle, so the search cannot use some legs "
+             "of its grid. The isochrones may therefore be a few per cent too small. They may also "
+             "leave out places from which the vehicle arrives in time only after a closed route reopens",
      .hint = "Another grid spacing (--spacing) may show larger isochrones"},
     {.code = "areas-beyond-battery",
      .rank = Rank::caution,
@@ -401,8 +404,8 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
      .slots = {{{"usable_mj", 1.0}, {"lasts_h", 96.0}}}},
     {.code = "areas-cut-short",
      .rank = Rank::note,
-     .text = "the search stopped at the limit of its work, so the true isochrones may be larger",
-     .hint = "Choose a larger grid spacing (--spacing)"},
+     .text = "the search stopped at its limit of computing work, so the true isochrones may be larger",
+     .hint = "Choose a larger grid spacing (--spacing), so that the search can finish"},
     {.code = "areas-cut-at-the-data",
      .rank = Rank::note,
      .text = "the isochrone ends at the edge of the data, but currents carry the vehicle farther",

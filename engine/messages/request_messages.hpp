@@ -23,9 +23,7 @@ inline constexpr auto request_kinds = std::to_array<Kind>({
     {.code = "unknown-member",
      .text = "is not a known key. The known keys are {known}",
      .slots = {{{"known", "from, to"}}}},
-    {.code = "another-unknown-member",
-     .text = "is not a known key either",
-     .hint = "check its name"},
+    {.code = "another-unknown-member", .text = "is not a known key either", .hint = "check its name"},
     {.code = "wrong-shape",
      .text = "must be {shape}",
      .slots = {{{"shape", "an array of rings, the outer one first"}}}},
@@ -72,7 +70,8 @@ inline constexpr auto request_kinds = std::to_array<Kind>({
      .text = "must be [longitude, latitude] in degrees, with the longitude from -180 to 360 and the latitude "
              "from -90 to 90"},
     {.code = "not-on-the-globe",
-     .text = "must have a longitude from -360 to 360 and a latitude from -90 to 90, not [{lon}, {lat}]; longitude "
+     .text = "must have a longitude from -360 to 360 and a latitude from -90 to 90, not [{lon}, {lat}]; "
+             "longitude "
              "comes first",
      .slots = {{{"lon", "400"}, {"lat", "72"}}}},
     {.code = "not-an-area",
@@ -87,10 +86,11 @@ inline constexpr auto request_kinds = std::to_array<Kind>({
      .text = "must not cross itself, as it does at {place}; list its positions in order round the area",
      .slots = {{{"place", "[-60.5,72]"}}}},
     {.code = "ring-too-complex",
-     .text = "has too many edges beside each other, so it cannot be checked; simplify the outline"},
+     .text = "has too many edges close together, so it cannot be checked",
+     .hint = "simplify the outline"},
     {.code = "hole-outside",
-     .text =
-         "is a hole but lies outside the polygon's first ring; write an area of its own as another Polygon"},
+     .text = "is a hole, but lies outside the outline of its polygon",
+     .hint = "write it as a Polygon of its own if it is an area"},
     {.code = "too-many-corners",
      .text = "must have at most {most} corners in all, not {corners}; simplify the outlines",
      .slots = {{{"most", 100000}, {"corners", 250000}}}},

@@ -131,16 +131,13 @@ inline constexpr auto seaglider_file_kinds = std::to_array<Kind>({
      .text = "the file holds the target {target} twice",
      .hint = "leave one of them out",
      .slots = {{{"target", "W1"}}}},
-    {.code = "no_target",
-     .rank = Rank::danger,
-     .text = "the file holds no target",
-     .hint = "add one"},
+    {.code = "no_target", .rank = Rank::danger, .text = "the file holds no target", .hint = "add one"},
 
     // The science file.
     {.code = "malformed_band",
      .rank = Rank::danger,
-     .text = "a depth band must have four columns (depth, seconds, sensors, gc), or its depth and the last "
-             "three by name"},
+     .text = "a depth band must be written as depth, seconds, sensors and gc in four columns, or as "
+             "the depth and FIELD=VALUE for each other field"},
     {.code = "unknown_field/band",
      .text = "a depth band has no field {field}",
      .hint = "check its name",
@@ -153,10 +150,7 @@ inline constexpr auto seaglider_file_kinds = std::to_array<Kind>({
      .rank = Rank::danger,
      .text = "a depth band must begin with its depth in metres, more than 0, or with the word loiter"},
     {.code = "bad_sensors", .rank = Rank::danger, .text = "sensors must be given, one digit for each sensor"},
-    {.code = "no_band",
-     .rank = Rank::danger,
-     .text = "the file holds no depth band",
-     .hint = "add one"},
+    {.code = "no_band", .rank = Rank::danger, .text = "the file holds no depth band", .hint = "add one"},
     {.code = "sensor_count_differs",
      .rank = Rank::danger,
      .text = "this depth band has another number of sensors than the first band",
