@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -14,7 +13,6 @@
 #include "server/cli/program/flag_values.hpp"
 #include "storage/json/json.hpp"
 #include "storage/repository/datasets/dataset_repository.hpp"
-#include "storage/repository/datasets/resampled.hpp"
 #include "storage/repository/datasets/retention.hpp"
 
 namespace floeplan::cli {
@@ -30,20 +28,6 @@ struct DatasetsFlags {
   std::string kind{"all"};
   bool dry_run{false};
 };
-
-/// The gain of a new ingest of the dataset's file, if an earlier version misread or resampled the file;
-/// otherwise "".
-std::string mark_of(const repository::Dataset& dataset, const std::vector<repository::Dataset>& all) {
-  if (dataset.outdated) return "outdated: " + dataset.warnings.back();
-  if (!repository::was_resampled(dataset.warnings)) return "";
-  const auto better = std::ranges::find_if(all, [&](const repository::Dataset& other) {
-    return other.kind == dataset.kind && other.provenance.sha256 == dataset.provenance.sha256 &&
-           !repository::was_resampled(other.warnings);
-  });
-  return "resampled by an earlier version: " +
-         (better == all.end() ? "ingest the file again for the values at its own points"
-                              : better->id.value + " has the values at the file's own points");
-}
 
 std::string area_cell(const geo::BoundingBox& bounds) {
   std::ostringstream cell;
@@ -64,7 +48,7 @@ int list_datasets(const DatasetsFlags& flags, const Program& program) {
   const auto datasets = repository::DatasetRepository{db}.list();
   if (flags.json_out) {
     json documents = json::array();
-    for (const auto& dataset : datasets) documents.push_back(codec::dataset_document(dataset));
+    for (const auto& dataset : datasets) documents.push_back(codec::dataset_document(dataset, {}, datasets));
     std::cout << json{{"datasets", documents}}.dump(2) << '\n';
     return done;
   }
@@ -76,7 +60,7 @@ int list_datasets(const DatasetsFlags& flags, const Program& program) {
   if (!datasets.empty()) line("id", "west,south,east,north", "period", "name");
   for (const auto& dataset : datasets) {
     line(dataset.id.value, area_cell(dataset.bounds), period_cell(dataset), dataset.name);
-    if (const std::string mark = mark_of(dataset, datasets); !mark.empty()) std::cout << "  " << mark << '\n';
+    if (const auto mark = repository::stale_mark(dataset, datasets)) std::cout << "  " << mark->text << '\n';
   }
   if (datasets.empty()) std::cout << "The store is empty: floeplan ingest FILE... reads data into it.\n";
   return done;

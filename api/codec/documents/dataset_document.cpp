@@ -5,7 +5,8 @@
 #include "storage/json/json.hpp"
 
 namespace floeplan::codec {
-nlohmann::json dataset_document(const repository::Dataset& dataset, const std::vector<core::UtcTime>& times) {
+nlohmann::json dataset_document(const repository::Dataset& dataset, const std::vector<core::UtcTime>& times,
+                                std::span<const repository::Dataset> all) {
   const auto& bounds = dataset.bounds;
   nlohmann::json document{{"id", dataset.id.value},
                           {"kind", repository::kind_name(dataset.kind)},
@@ -23,6 +24,10 @@ nlohmann::json dataset_document(const repository::Dataset& dataset, const std::v
                           {"sha256", dataset.provenance.sha256},
                           {"ingested", core::iso8601(dataset.provenance.ingested)},
                           {"tool_version", dataset.provenance.tool_version}};
+  if (const auto stale = repository::stale_mark(dataset, all)) {
+    document["stale"] = stale->text;
+    if (stale->better) document["better_id"] = stale->better->value;
+  }
   if (repository::has_steps(dataset.kind)) {
     auto& listed = document["times"] = nlohmann::json::array();
     if (times.size() <= max_listed_times) {

@@ -28,7 +28,7 @@ Response list_datasets(const Context& context, const Request&, const PathParamet
   json datasets = json::array();
   for (const auto& dataset : whole) {
     const bool has_times = sql::meets_no_damage(
-        [&] { datasets.push_back(codec::dataset_document(dataset, times_of(context.db, dataset))); });
+        [&] { datasets.push_back(codec::dataset_document(dataset, times_of(context.db, dataset), whole)); });
     if (!has_times) damaged.push_back({.kind = "dataset", .id = dataset.id.value});
   }
   json list{{"datasets", std::move(datasets)}};
@@ -39,7 +39,9 @@ Response list_datasets(const Context& context, const Request&, const PathParamet
 Response show_dataset(const Context& context, const Request& request, const PathParameters& path) {
   const auto dataset = repository::DatasetRepository{context.db}.find({path.at("dataset_id")});
   if (!dataset) return problem_reply<"unknown-dataset">(request, path.at("dataset_id"));
-  return json_reply(codec::dataset_document(*dataset, times_of(context.db, *dataset)));
+  return json_reply(
+      codec::dataset_document(*dataset, times_of(context.db, *dataset),
+                              repository::DatasetRepository{context.db}.list_past_damage().whole));
 }
 
 Response remove_dataset(const Context& context, const Request& request, const PathParameters& path) {

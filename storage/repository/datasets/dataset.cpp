@@ -53,3 +53,16 @@ void sort_newest_run_first(std::vector<Dataset>& datasets) {
 }
 
 }  // namespace floeplan::repository
+std::optional<StaleMark> stale_mark(const Dataset& dataset, std::span<const Dataset> all) {
+  if (dataset.outdated) return StaleMark{"outdated: " + dataset.warnings.back(), std::nullopt};
+  if (!was_resampled(dataset.warnings)) return std::nullopt;
+  const auto better = std::ranges::find_if(all, [&](const Dataset& other) {
+    return other.kind == dataset.kind && other.provenance.sha256 == dataset.provenance.sha256 &&
+           !was_resampled(other.warnings);
+  });
+  const std::string by = "resampled by an earlier version: ";
+  if (better == all.end())
+    return StaleMark{by + "ingest the file again for the values at its own points", {}};
+  return StaleMark{by + better->id.value + " has the values at the file's own points", better->id};
+}
+

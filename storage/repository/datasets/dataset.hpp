@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -64,3 +65,14 @@ void sort_newest_run_first(std::vector<Dataset>& datasets);
 [[nodiscard]] inline DatasetId hand_made_id(DatasetKind kind) { return {kind_name(kind) + "-by-hand"}; }
 
 }  // namespace floeplan::repository
+/// What to do about a dataset that an earlier version misread or resampled.
+struct StaleMark {
+  std::string text;
+  std::optional<DatasetId>
+      better;  // that has the values of the same file at its own points; empty: not stored yet
+};
+
+/// nullopt: the dataset is as this version reads its file.
+/// `all`  the stored datasets
+[[nodiscard]] std::optional<StaleMark> stale_mark(const Dataset& dataset, std::span<const Dataset> all);
+

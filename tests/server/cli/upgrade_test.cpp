@@ -116,6 +116,13 @@ TEST_F(Upgrade, MarksWhatAnEarlierVersionResampled) {
       program_.run({"datasets"}).out,
       HasSubstr("resampled by an earlier version: ingest the file again for the values at its own points"));
 
+  const auto listed = [&] { return json::parse(program_.run({"datasets", "--json"}).out).at("datasets"); };
+  for (const json& dataset : listed())
+    EXPECT_EQ(dataset.value("stale", ""),
+              dataset.at("id") == "bathymetry-0badcafe"
+                  ? "resampled by an earlier version: ingest the file again for the values at its own points"
+                  : "");
+
   repository::Dataset native = resampled;
   native.id = {"bathymetry-0badcaff"};
   native.warnings = {};
@@ -124,6 +131,11 @@ TEST_F(Upgrade, MarksWhatAnEarlierVersionResampled) {
       program_.run({"datasets"}).out,
       HasSubstr(
           "resampled by an earlier version: bathymetry-0badcaff has the values at the file's own points"));
+  for (const json& dataset : listed()) {
+    const bool is_stale = dataset.at("id") == "bathymetry-0badcafe";
+    EXPECT_EQ(dataset.contains("stale"), is_stale);
+    EXPECT_EQ(dataset.value("better_id", ""), is_stale ? "bathymetry-0badcaff" : "");
+  }
 }
 
 }  // namespace

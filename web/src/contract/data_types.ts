@@ -23,6 +23,7 @@ export interface Dataset {
   rows_accepted: number;
   rows_refused: number;
   warnings: string[];
+  stale?: string; // what to do, if an earlier version misread or resampled it
   file_name: string;
   file_size_bytes: number;
   sha256: string;

@@ -33,7 +33,7 @@ const isByHand = ({ id }: Dataset): boolean => id === byHand('icebergs') || id =
 
 function Row({ dataset }: { dataset: Dataset }): VNode {
   const [fault, setFault] = useState<string | undefined>(undefined);
-  const { bbox, file_name, file_size_bytes, id, ingested, kind, name, rows_accepted, rows_refused, time_end, time_start, warnings } = dataset;
+  const { bbox, file_name, file_size_bytes, id, ingested, kind, name, rows_accepted, rows_refused, stale, time_end, time_start, warnings } = dataset;
   const shown = covered.value.includes(id);
   const inUse = isInUse(dataset);
   const cover = (): void => {
@@ -52,6 +52,7 @@ function Row({ dataset }: { dataset: Dataset }): VNode {
         <IconButton icon="trash" label={`Remove ${name}`} disabled={!may('admin')} onClick={() => void remove()} />
       </div>
       <b class="dataset-name">{name}</b>
+      {stale && <p class="caution-box">{stale}</p>}
       <p class="dataset-figures">
         {time_start && time_end && <span>{time_start === time_end ? shortTime(Date.parse(time_start)) : `${shortTime(Date.parse(time_start))} – ${shortTime(Date.parse(time_end))}`}</span>}
         {kind === 'icebergs' && <span>{rows_accepted.toLocaleString('en')} {rows_accepted === 1 ? 'sighting' : 'sightings'}{rows_refused > 0 ? `, ${rows_refused.toLocaleString('en')} refused` : ''}</span>}
