@@ -181,6 +181,7 @@ tl::expected<json, core::Violations> plan_route_document(sql::Connection& db, co
     auto alternatives =
         planning::find_alternatives(*environment, request, *plan, stop, of_alternatives, executor);
     if (!alternatives) return codec::infeasible_document(alternatives.error(), *environment);
+    if (alternatives->better) plan = std::move(*alternatives->better);
     besides["alternatives"] = keep_alternatives(db, inputs, alternatives->found, now);
     if (alternatives->fewer) plan->messages.push_back(*alternatives->fewer);
   }

@@ -14,7 +14,8 @@ namespace floeplan::planning {
 /// other: between any two lies an obstacle of at least a twentieth of the distance from stop to stop, such as
 /// an island, a bank, a group of icebergs or a closed area. Each alternative is the plan of the same request
 /// with closed areas across the plan's route, so it can be planned again. None takes more than twice the
-/// plan's time.
+/// plan's time. A route that turns out to cost less than the plan takes its place (`Alternatives::better`): closed areas
+/// only take routes away, so it is a plan of the request, too.
 /// Area     that of `plan_route`, without the wider data
 /// Limits   at most six obstacles are tried, those nearest to the route first; icebergs count where they are
 ///          when the route passes

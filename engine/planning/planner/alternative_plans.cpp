@@ -180,21 +180,43 @@ class AlternativeSearch {
                                [&](const LargeObstacle& obstacle) { return differ(a, b, obstacle); });
   }
 
-  [[nodiscard]] Alternatives best_of(std::vector<std::optional<OtherWay>> ways, std::size_t tried) const {
-    std::erase(ways, std::nullopt);
-    std::ranges::stable_sort(ways, {}, [&](const std::optional<OtherWay>& way) {
-      return cost_of(way->plan, task_.request.objective());
-    });
+  /// The cheapest way if it costs less than the given plan, which it leaves among the ways.
+  [[nodiscard]] std::optional<Plan> take_better(std::vector<OtherWay>& ways) const {
+    const Objective objective = task_.request.objective();
+    if (ways.empty() || !(cost_of(ways.front().plan, objective) < cost_of(plan_, objective)))
+      return std::nullopt;
+    Plan better = std::exchange(ways.front().plan, plan_);
+    ways.front().request = task_.request;
+    ways.front().request.alternatives = 0;
+    by_cost(ways);
+    return better;
+  }
+
+  void by_cost(std::vector<OtherWay>& ways) const {
+    std::ranges::stable_sort(
+        ways, {}, [&](const OtherWay& way) { return cost_of(way.plan, task_.request.objective()); });
+  }
+
+  [[nodiscard]] Alternatives best_of(std::vector<std::optional<OtherWay>> tried_ways,
+                                     std::size_t tried) const {
+    std::vector<OtherWay> ways;
+    for (std::optional<OtherWay>& way : tried_ways)
+      if (way) ways.push_back(std::move(*way));
+    by_cost(ways);
     Alternatives result;
+    result.better = take_better(ways);
+    const Plan& best = result.better ? *result.better : plan_;
     const auto wanted = static_cast<std::size_t>(task_.request.alternatives);
-    for (std::optional<OtherWay>& way : ways) {
+    for (OtherWay& way : ways) {
       if (result.found.size() == wanted) break;
-      const bool is_new = std::ranges::all_of(
-          result.found, [&](const Alternative& other) { return differ(other.plan, way->plan); });
+      const bool is_new =
+          differ(best, way.plan) && std::ranges::all_of(result.found, [&](const Alternative& other) {
+            return differ(other.plan, way.plan);
+          });
       if (!is_new) continue;
-      messages::Message reason = reason_of(*way);
-      way->plan.messages.push_back(reason);
-      result.found.push_back({std::move(way->plan), std::move(way->request), std::move(reason)});
+      messages::Message reason = reason_of(way, best);
+      way.plan.messages.push_back(reason);
+      result.found.push_back({std::move(way.plan), std::move(way.request), std::move(reason)});
     }
     if (result.found.size() < wanted) {
       result.fewer = obstacles_.empty()
@@ -205,11 +227,11 @@ class AlternativeSearch {
     return result;
   }
 
-  [[nodiscard]] messages::Message reason_of(const OtherWay& way) const {
+  [[nodiscard]] messages::Message reason_of(const OtherWay& way, const Plan& best) const {
     const geo::LonLat middle = projection_.to_lon_lat(way.around->middle);
     const geo::LonLat passes =
         projection_.to_lon_lat(nearest_point(timed_route(way.plan, projection_), way.around->middle));
-    const double later_h = (way.plan.travel_time() - plan_.travel_time()).count() / 3600.0;
+    const double later_h = (way.plan.travel_time() - best.travel_time()).count() / 3600.0;
     return messages::plan_message<"alternative">(
                geo::compass_point(geo::geodesic_between(middle, passes).course_at_start),
                name_of(way.around->kind), middle.lon_deg, middle.lat_deg, way.around->extent.value / 1000.0,

@@ -90,6 +90,27 @@ TEST(FindAlternatives, PassABankOnItsOtherSide) {
   ASSERT_TRUE(found.fewer);
 }
 
+/// The search for the plan may end in a worse route than the search round an obstacle, as both are limited to their grids.
+/// Here the plan that is given is such a route.
+TEST(FindAlternatives, CostNoLessThanTheBestPlanWhoseRankACheaperOneTakes) {
+  const ocean::Environment sea = sea_with({bank});
+  const PlanRequest request = asking_for(1);
+  const Plan south = best(sea, request);
+  const Plan north = alternatives(sea, request).found.at(0).plan;
+
+  const Result<Alternatives> found = find_alternatives(sea, request, north, {}, {});
+
+  ASSERT_TRUE(found.has_value());
+  ASSERT_TRUE(found->better);
+  EXPECT_NEAR(found->better->travel_time().count(), south.travel_time().count(), 60.0);
+  EXPECT_LT(latitude_at(*found->better, -53.0), 68.95);
+  ASSERT_THAT(found->found, SizeIs(1));
+  EXPECT_EQ(found->found[0].plan.travel_time(), north.travel_time());
+  EXPECT_TRUE(found->found[0].request.zones.empty());
+  EXPECT_THAT(messages::sentence(found->found[0].reason), HasSubstr("h more"));
+  EXPECT_FALSE(alternatives(sea, request).better);
+}
+
 TEST(FindAlternatives, AreThePlansOfTheirOwnRequests) {
   const ocean::Environment sea = sea_with({bank});
   const Alternatives found = alternatives(sea, asking_for(1));
