@@ -43,11 +43,16 @@ class Log {
     }
     was_open_ = open;
     const bool sure = open && !ice_within(error_since(last_sure_, here_));
-    if (!(sure && was_sure_) && closed_since_sure_ > 1)
-      plan.longest_without_sure = std::max(plan.longest_without_sure, now.time - last_sure_.look.at.time);
+    if (open && !sure && closed_since_sure_ > 0 && !lead_) lead_ = now.point;
+    const core::Seconds without_sure = now.time - last_sure_.look.at.time;
+    if (!(sure && was_sure_) && closed_since_sure_ > 1 && without_sure > plan.longest_without_sure) {
+      plan.longest_without_sure = without_sure;
+      if (lead_) plan.missed_lead = sea_.domain().projection().to_lon_lat(*lead_);
+    }
     if (sure) {
       last_sure_ = next_fix(last_sure_, here_);
       closed_since_sure_ = 0;
+      lead_.reset();
     }
     was_sure_ = sure;
     const core::Metres turn = sea_.domain().overhead().least_upper_turn(now.point, now.time);
@@ -215,6 +220,7 @@ class Log {
   bool was_sure_{true};
   /// Stretches where it may not surface; between two of them lies a lead that it could miss.
   int closed_since_sure_{0};
+  std::optional<geo::PlanePoint> lead_;  // the first since then that the vehicle could miss
   core::Metres leg_upper_turn_{};  // deepest upper turn since the last waypoint
   core::Metres
       ice_free_before_{};  // counted from the first check without ice, because the water before it may be covered

@@ -89,6 +89,8 @@ struct SurfacingPlan {
   /// The longest time between places that it cannot miss by its position error and between which it passes a lead; 0
   /// where it passes none. Not stored.
   core::Seconds longest_without_sure{};
+  std::optional<geo::LonLat>
+      missed_lead{};  // the first lead that the vehicle could miss in that time; not stored
   core::Metres unknown_ice{};                // length of the route on which the ice is unknown
   std::vector<SurfacingState> waypoints;     // one for each
   std::vector<Reckoned> reckoned;            // one for each waypoint; not stored

@@ -85,6 +85,7 @@ void tell_of_missed_leads(Plan& plan, const PlanRequest& request) {
   if (request.under_ice.max_time_without_surfacing || sure <= longest_out_of_contact || sure_h <= longest_h)
     return;
   plan.messages.push_back(messages::plan_message<"longer-below-ice-without-leads">(sure_h, longest_h));
+  plan.messages.back().place = plan.surfacing->missed_lead;
 }
 
 }  // namespace

@@ -183,6 +183,7 @@ void warn_of_openings_missed(Plan& plan, const PlanRequest& request) {
   if (!bound || sure <= std::max(*bound, plan.surfacing->longest_without)) return;
   plan.messages.push_back(
       messages::plan_message<"leads-may-be-missed">(bound->count() / 3600.0, sure.count() / 3600.0));
+  plan.messages.back().place = plan.surfacing->missed_lead;
 }
 
 void add_surfacings(Plan& plan, const cost::Sea& sea, const PlanRequest& request,

@@ -116,6 +116,8 @@ TEST(PlanUnderIce, WarnsOfOpeningsThatKeepTheBoundAndMayBeMissed) {
   const auto told = std::ranges::find(bounded.messages, "leads-may-be-missed", &messages::Message::code);
   ASSERT_NE(told, bounded.messages.end());
   EXPECT_EQ(told->rank, messages::Rank::danger) << "beyond the pilot's own limit";
+  ASSERT_TRUE(told->place);
+  EXPECT_NEAR(told->place->lon_deg, -52.95, 0.1) << "the lead";
   request.under_ice.current_uncertainty = {0.0};
   EXPECT_THAT(messages::sentences(planned(sea, request).messages), testing::Not(warns))
       << "less off than the opening is wide";
