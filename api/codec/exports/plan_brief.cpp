@@ -5,12 +5,16 @@
 #include <cctype>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <iterator>
+#include <map>
+#include <regex>
 #include <utility>
 
 #include "api/codec/bytes/bare_value.hpp"
 #include "api/codec/bytes/document_values.hpp"
 #include "api/codec/bytes/xml_text.hpp"
+#include "api/fields/process_fields.hpp"
 #include "engine/core/utc_text.hpp"
 #include "engine/messages/sentence.hpp"
 
@@ -113,9 +117,36 @@ std::vector<std::string> ice_facts(const planning::Plan& plan) {
           " km. Planned surfacings: " + std::to_string(plan.surfacing->surfacings.size()) + "."};
 }
 
+/// The label of each setting in the forms of the desk, by its flag.
+std::map<std::string, std::string, std::less<>> labels_by_flag() {
+  std::map<std::string, std::string, std::less<>> labels;
+  for (const auto& all : {fields::fields_of(fields::Process::plan_route), fields::fields_of_vehicle()})
+    for (const fields::Field& field : all)
+      if (!field.flag.empty() && !field.form.label.empty())
+        labels.emplace(std::string{field.flag}, std::string{field.form.label});
+  return labels;
+}
+
+/// A sentence with labels, as “Via points”, in place of flags, as --via: whoever holds the page may have no command line.
+/// A flag without a label loses its dashes.
+std::string with_labels(const std::string& sentence) {
+  static const auto labels = labels_by_flag();
+  static const std::regex flag{"--([a-z]+(?:-[a-z]+)*)"};
+  std::string text;
+  auto rest = sentence.cbegin();
+  for (std::sregex_iterator found{sentence.begin(), sentence.end(), flag}, none; found != none; ++found) {
+    const std::string name = (*found)[1].str();
+    const auto label = labels.find(name);
+    text.append(rest, (*found)[0].first);
+    text += "\u201c" + (label == labels.end() ? name : label->second) + "\u201d";
+    rest = (*found)[0].second;
+  }
+  return text.append(rest, sentence.cend());
+}
+
 /// The message with a capital, a full stop and its position.
 std::string printed_sentence(const messages::Message& message) {
-  std::string sentence = messages::whole_text(message);
+  std::string sentence = with_labels(messages::whole_text(message));
   if (sentence.empty()) return sentence;
   sentence.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence.front())));
   if (message.place)

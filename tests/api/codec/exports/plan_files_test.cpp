@@ -398,6 +398,17 @@ TEST(PlanBrief, GroupsItsMessagesByRankWithTheirPlaces) {
   EXPECT_EQ(told[1].sentences.size(), 1U);
 }
 
+TEST(PlanBrief, NamesSettingsByTheirLabelsNotByFlags) {
+  planning::Plan plan = two_legs();
+  plan.messages = {messages::plan_message<"leads-may-be-missed">(12.0, 19.5)};
+  const auto told = brief_messages(plan, {"p-01", "", plan.departure, {}});
+
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_THAT(told[0].sentences.at(0), HasSubstr("(\u201cMax. time without surfacing\u201d)"));
+  EXPECT_THAT(told[0].sentences.at(0), HasSubstr("(\u201cVia points\u201d)"));
+  EXPECT_THAT(told[0].sentences.at(0), Not(HasSubstr("--")));
+}
+
 TEST(IceSection, DrawsDraftKeelsAndTurnsTrueToScale) {
   planning::Plan plan = two_legs();
   plan.surfacing =
