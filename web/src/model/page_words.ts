@@ -2,7 +2,7 @@ import { formatPosition } from '../geo/coordinates';
 import { formOf, labelsOfFlags } from './fields';
 import { exportLabels } from './plan/export_labels';
 import { settings } from './settings';
-import { shortTime } from './time';
+import { duration, shortTime } from './time';
 
 const instant = /\d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ/g;
 
@@ -34,12 +34,21 @@ function labelOfPointer(pointer: string, outer: string, inner?: string): string 
 /** The name of an input, which has two words or more, inside a sentence. */
 const nameOfInput = /\b[a-z]+(?:_[a-z0-9]+)+\b/g;
 
+/** A time in hours in the server's sentences, but not of "2 h 40 min". */
+const hoursInText = /\b(\d+(?:\.\d+)?) h\b(?! \d)/g;
+
+/** As the figures of the page have it: "2 d 09 h" for "57.1 h"; whole hours of a day stay as they are. */
+const hoursInWords = (_: string, figure: string): string => {
+  const hours = Number(figure);
+  return hours < 24 && Number.isInteger(hours) ? `${hours} h` : duration(3600 * hours);
+};
+
 /** The label of the field of the set-up or of the export that a flag of the command line is for. */
 const labelOfFlag = (flag: string): string | undefined => labelsOfFlags[flag] ?? (exportLabels as Record<string, string | undefined>)[flag.slice(2)];
 
 /**
- * A sentence of the server in the terms of this page: “Longest hold” for --max-hold, and positions in the page's
- * notation.
+ * A sentence of the server in the terms of this page: “Longest hold” for --max-hold, “2 d 09 h” for 57.1 h, and positions in the
+ * page's notation.
  */
 export const inPageWords = (text: string): string =>
   text
@@ -47,6 +56,7 @@ export const inPageWords = (text: string): string =>
     .replace(orderOfNumbers, '')
     .replace(placeOfFlag, (_, lon: string, lat: string) => formatPosition([Number(lon), Number(lat)], settings.value.coordinates))
     .replace(placeInText, (_, lon: string, lat: string) => formatPosition([Number(lon), Number(lat)], settings.value.coordinates))
+    .replace(hoursInText, hoursInWords)
     .replace(instant, (time) => shortTime(Date.parse(time)))
     .replace(nameOfInput, (name) => (formOf(name).label ? `“${formOf(name).label}”` : name))
     .replace(/--[a-z]+(-[a-z]+)*/g, (flag) => (labelOfFlag(flag) ? `“${labelOfFlag(flag)}”` : flag));

@@ -8,15 +8,19 @@ export const none = '–';
 
 const present = (value: number | null | undefined): value is number => typeof value === 'number' && Number.isFinite(value);
 
-/** A distance of any size: metres below 1 km (or 0.1 NM in nautical miles). */
-export function distance(metres: number | null | undefined): string {
+/**
+ * A distance of any size: metres below 1 km. In a column, where all have one unit and the same decimals, `greatest_m` is its greatest
+ * value.
+ */
+export function distance(metres: number | null | undefined, greatest_m?: number): string {
   if (!present(metres)) return none;
+  const scale_m = Math.abs(greatest_m ?? metres);
   if (settings.value.distance === 'nm') {
     const miles = metres / metresPerNauticalMile;
-    return `${miles.toFixed(miles < 10 ? 2 : 1)} NM`;
+    return `${miles.toFixed(scale_m < 10 * metresPerNauticalMile ? 2 : 1)} NM`;
   }
-  if (Math.abs(metres) < 1000) return `${Math.round(metres)} m`;
-  return `${(metres / 1000).toFixed(metres < 1e5 ? 1 : 0)} km`;
+  if (scale_m < 1000) return `${Math.round(metres)} m`;
+  return `${(metres / 1000).toFixed(scale_m < 1e5 ? 1 : 0)} km`;
 }
 
 /** The bare number of a table column headed by `distanceUnit`. */
@@ -47,8 +51,9 @@ export const depth = (metres: number | null | undefined): string => (present(met
 export const course = (degrees: number | null | undefined): string =>
   present(degrees) ? `${String(Math.round(degrees) % 360).padStart(3, '0')}°` : none;
 
-export const energy = (joules: number | null | undefined): string =>
-  present(joules) ? (joules >= 1e6 ? `${(joules / 1e6).toFixed(2)} MJ` : `${(joules / 1e3).toFixed(0)} kJ`) : none;
+/** `greatest_j`: as of `distance`. */
+export const energy = (joules: number | null | undefined, greatest_j?: number): string =>
+  present(joules) ? ((greatest_j ?? joules) >= 1e6 ? `${(joules / 1e6).toFixed(2)} MJ` : `${(joules / 1e3).toFixed(0)} kJ`) : none;
 
 const sizes = ['bytes', 'kB', 'MB', 'GB'] as const;
 

@@ -32,6 +32,14 @@ it('turns every flag of the messages that reach the page into a field', () => {
   expect(named.filter((name) => new RegExp(`\\b${name}\\b`).test(told))).toEqual([]);
 });
 
+it('gives times the form of the figures of the page', () => {
+  expect(inPageWords('no place to surface for 57.1 h, not for 17 h')).toBe('no place to surface for 2 d 09 h, not for 17 h');
+  expect(inPageWords('the limit of 12.0 h')).toBe('the limit of 12 h');
+  expect(inPageWords('This route takes 0.1 h more')).toBe('This route takes 6 min more');
+  expect(inPageWords('takes 3.2 h more')).toBe('takes 3 h 12 min more');
+  expect(inPageWords('hold 2 h 40 min, at 10 km/h')).toBe('hold 2 h 40 min, at 10 km/h');
+});
+
 it('makes what stands alone a sentence', () => {
   expect(asSentence('the route comes too close at 2026-11-22T23:51:00Z')).toMatch(/^The route comes too close at 22 Nov.*\.$/);
   expect(asSentence('Depart later.')).toBe('Depart later.');

@@ -18,50 +18,44 @@ import { PlanKey } from '../common/plan_key';
 interface Column {
   title: string;
   value: (plan: Plan) => number | null;
-  text: (value: number | null) => string;
-  difference: (value: number) => string;
+  text: Figure;
+  size?: Figure; // of a difference; if missing, as the value
 }
 
-/** A difference as text; ±0 also if it is smaller than the last digit. */
-const signed = (value: number, text: (size: number) => string): string =>
-  text(Math.abs(value)) === text(0) ? '±0' : `${value < 0 ? '−' : '+'}${text(Math.abs(value))}`;
-const metres: Pick<Column, 'text' | 'difference'> = {
-  text: (value) => distance(value),
-  difference: (value) => signed(value, distance),
-};
-const percent = (share: number): string => `${(100 * share).toFixed(1)} %`;
-const shares: Pick<Column, 'text' | 'difference'> = {
-  text: (value) => percent(value ?? 0),
-  difference: (value) => signed(value, percent),
-};
+/** A value as text; `greatest` of its column decides unit and decimals. */
+type Figure = (value: number, greatest: number) => string;
+
+const percent: Figure = (share) => `${(100 * share).toFixed(1)} %`;
+const time: Figure = (seconds) => duration(seconds);
+const count: Figure = (value) => String(value);
 
 const columns: Column[] = [
-  { title: 'Arrival', value: (plan) => Date.parse(plan.arrival), text: (value) => shortTime(value ?? 0), difference: (value) => signed(value / 1000, duration) },
-  { title: 'Travel time', value: (plan) => plan.travel_time_s, text: (value) => duration(value ?? 0), difference: (value) => signed(value, duration) },
-  { title: 'Distance', value: (plan) => plan.distance_m, ...metres },
-  { title: 'Below ice', value: belowIce_m, ...metres },
-  { title: 'Time below ice', value: belowIce_s, text: (value) => duration(value ?? 0), difference: (value) => signed(value, duration) },
-  {
-    title: 'Longest without a place to surface', value: ({ surfacing }) => surfacing?.longest_without_surfacing_s ?? null,
-    text: (value) => duration(value ?? 0), difference: (value) => signed(value, duration),
-  },
-  { title: 'Waypoints without surfacing', value: closedWaypoints, text: String, difference: (value) => signed(value, String) },
-  { title: 'Deepest turn below ice', value: deepestTurn_m, text: (value) => `${turnFigure(value)} m`, difference: (value) => signed(value, distance) },
-  { title: 'Surfacings', value: ({ surfacing }) => surfacing?.planned.length ?? null, text: String, difference: (value) => signed(value, String) },
-  { title: 'Energy', value: (plan) => plan.energy_j, text: energy, difference: (value) => signed(value, energy) },
-  { title: 'Battery used', value: ({ energy: battery, energy_j }) => (battery && energy_j !== null ? energy_j / battery.usable_j : null), ...shares },
-  { title: 'Waypoints', value: (plan) => plan.waypoints.length, text: String, difference: (value) => signed(value, String) },
-  { title: 'Nearest iceberg', value: (plan) => plan.clearances.iceberg_m, ...metres },
-  { title: 'Nearest land', value: (plan) => plan.clearances.land_m, ...metres },
-  { title: 'Above sea bed', value: (plan) => plan.clearances.bottom_m, ...metres },
-  {
-    title: 'Iceberg encounters', value: ({ iceberg_encounters }) => iceberg_encounters ?? null, text: (value) => (value ?? 0).toFixed(2),
-    difference: (value) => signed(value, (size) => size.toFixed(2)),
-  },
-  { title: 'Optimality gap', value: (plan) => plan.optimality_gap, ...shares },
-  { title: 'Dangers', value: (plan) => ofRank(plan, 'danger').length, text: String, difference: (value) => signed(value, String) },
-  { title: 'Cautions', value: (plan) => ofRank(plan, 'caution').length, text: String, difference: (value) => signed(value, String) },
+  { title: 'Arrival', value: (plan) => Date.parse(plan.arrival) / 1000, text: (at_s) => shortTime(1000 * at_s), size: time },
+  { title: 'Travel time', value: (plan) => plan.travel_time_s, text: time },
+  { title: 'Distance', value: (plan) => plan.distance_m, text: distance },
+  { title: 'Below ice', value: belowIce_m, text: distance },
+  { title: 'Time below ice', value: belowIce_s, text: time },
+  { title: 'Longest without a place to surface', value: ({ surfacing }) => surfacing?.longest_without_surfacing_s ?? null, text: time },
+  { title: 'Waypoints without surfacing', value: closedWaypoints, text: count },
+  { title: 'Deepest turn below ice', value: deepestTurn_m, text: (value) => `${turnFigure(value)} m` },
+  { title: 'Surfacings', value: ({ surfacing }) => surfacing?.planned.length ?? null, text: count },
+  { title: 'Energy', value: (plan) => plan.energy_j, text: energy },
+  { title: 'Battery used', value: ({ energy: battery, energy_j }) => (battery && energy_j !== null ? energy_j / battery.usable_j : null), text: percent },
+  { title: 'Waypoints', value: (plan) => plan.waypoints.length, text: count },
+  { title: 'Nearest iceberg', value: (plan) => plan.clearances.iceberg_m, text: distance },
+  { title: 'Nearest land', value: (plan) => plan.clearances.land_m, text: distance },
+  { title: 'Above sea bed', value: (plan) => plan.clearances.bottom_m, text: distance },
+  { title: 'Iceberg encounters', value: ({ iceberg_encounters }) => iceberg_encounters ?? null, text: (value) => value.toFixed(2) },
+  { title: 'Optimality gap', value: (plan) => plan.optimality_gap, text: percent },
+  { title: 'Dangers', value: (plan) => ofRank(plan, 'danger').length, text: count },
+  { title: 'Cautions', value: (plan) => ofRank(plan, 'caution').length, text: count },
 ];
+
+/** The difference of two values as they are shown, so that the figures of a column agree; ±0 also if it is smaller than the last digit. */
+function differenceOf({ text, size = text }: Column, value: number, base: number, greatest: number): string {
+  const difference = Math.abs(value - base);
+  return size(difference, greatest) === size(0, greatest) ? '±0' : `${value < base ? '−' : '+'}${size(difference, greatest)}`;
+}
 
 /** Inputs and data of a plan as texts, which are equal or not. */
 const inputs: { title: string; words: (plan: Plan) => string }[] = [
@@ -187,10 +181,11 @@ function Heading({ title, column }: { title: string; column: number }): VNode {
 function Cell({ column, plan, base }: { column: Column; plan: Plan; base: Plan | undefined }): VNode {
   const value = column.value(plan);
   const other = base && base !== plan ? column.value(base) : null;
+  const greatest = Math.max(...shownPlans.value.map((shown) => Math.abs(column.value(shown.plan) ?? 0)));
   return (
     <td>
-      {value === null ? '–' : column.text(value)}
-      {value !== null && other !== null && <span class="difference">{column.difference(value - other)}</span>}
+      {value === null ? none : column.text(value, greatest)}
+      {value !== null && other !== null && <span class="difference">{differenceOf(column, value, other, greatest)}</span>}
     </td>
   );
 }
