@@ -92,12 +92,6 @@ function paintLines(frame: Frame, lines: Lines | undefined): void {
   stroke(lines.ticks, reach, 3.6);
 }
 
-/** The expected position of a berg in the projection, with its keep-out radius. */
-interface Ghost {
-  at: Position;
-  radius: number;
-}
-
 /**
  * The forecast of a berg on the map. Between hourly steps it is a straight line, within metres of the geodesic. The
  * projections preserve angles, so a circle of some kilometres stays a circle, within a thousandth of its radius.
@@ -121,19 +115,29 @@ function trackOf(drift: IcebergDrift, code: ProjectionCode): Track {
   return track;
 }
 
-const ghostsNow = computed<Ghost[]>(() => {
-  if (!isShown.value) return [];
+/** Numbers for each berg in the list of ghosts: its expected position in the projection, and its keep-out radius there. */
+const perGhost = 3;
+
+/** In one array of numbers: a playing clock makes it anew in every frame. */
+const ghostsNow = computed<Float64Array>(() => {
+  if (!isShown.value) return new Float64Array();
   const code = projection.value;
   const minute = Math.round(time_ms.value / minute_ms) * minute_ms;
-  return drifts.value.flatMap((drift) => {
+  const ghosts = new Float64Array(perGhost * drifts.value.length);
+  let used = 0;
+  for (const drift of drifts.value) {
     const { places, scale, observed_ms } = trackOf(drift, code);
     const steps = minute > observed_ms ? stepsAt(drift, minute) : undefined;
-    if (!steps) return [];
-    const [x1, y1] = places[steps.after] ?? [NaN, NaN];
-    const [x0, y0] = places[steps.after - 1] ?? [x1, y1];
-    const at: Position = [x0 + steps.share * (x1 - x0), y0 + steps.share * (y1 - y0)];
-    return [{ at, radius: keepOut_m(drift.safe_length_m, errorAt(drift, steps)) * scale }];
-  });
+    if (!steps) continue;
+    const to = places[steps.after];
+    const from = places[steps.after - 1] ?? to;
+    if (!from || !to) continue;
+    ghosts[used] = from[0] + steps.share * (to[0] - from[0]);
+    ghosts[used + 1] = from[1] + steps.share * (to[1] - from[1]);
+    ghosts[used + 2] = keepOut_m(drift.safe_length_m, errorAt(drift, steps)) * scale;
+    used += perGhost;
+  }
+  return ghosts.subarray(0, used);
 });
 
 /**
@@ -144,32 +148,35 @@ export function ghostLayer(): CanvasLayer {
   return painting((frame) => paintGhosts(frame, ghostsNow.peek()), [ghostsNow, palette]);
 }
 
-/** A triangle that points up, of this radius. */
+/** A triangle that points up, of this radius: half its base, and how far the base lies below its middle. */
 const ghost_px = 7;
-const triangle: readonly (readonly [number, number])[] = [-90, 30, 150].map((angle_deg) => {
-  const angle = (angle_deg * Math.PI) / 180;
-  return [ghost_px * Math.cos(angle), ghost_px * Math.sin(angle)];
-});
+const halfBase_px = ghost_px * Math.cos(Math.PI / 6);
+const base_px = ghost_px / 2;
 
-function paintGhosts(frame: Frame, ghosts: Ghost[]): void {
+function paintGhosts(frame: Frame, ghosts: Float64Array): void {
   const { context, resolution, width, height } = frame;
   const { reach, berg } = palette.peek();
+  const hasRings = resolution < rings_m;
   const [rings, marks] = [new Path2D(), new Path2D()];
-  for (const { at, radius } of ghosts) {
-    const [x, y] = frame.toPixel(at);
+  const { a, b, c, d, e, f } = screenMatrix(frame, [0, 0], [1, 0], [0, 1]);
+  for (let i = 0; i < ghosts.length; i += perGhost) {
+    const [east, north, radius] = [ghosts[i] ?? NaN, ghosts[i + 1] ?? NaN, ghosts[i + 2] ?? NaN];
+    const x = a * east + c * north + e;
+    const y = b * east + d * north + f;
     const ring_px = radius / resolution;
-    const room_px = Math.max(ring_px, ghost_px);
+    const room_px = hasRings ? Math.max(ring_px, ghost_px) : ghost_px;
     if (x < -room_px || y < -room_px || x > width + room_px || y > height + room_px) continue;
-    rings.moveTo(x + ring_px, y);
-    rings.arc(x, y, ring_px, 0, 2 * Math.PI);
-    triangle.forEach(([dx, dy], i) => {
-      if (i === 0) marks.moveTo(x + dx, y + dy);
-      else marks.lineTo(x + dx, y + dy);
-    });
-    marks.closePath();
+    if (hasRings) {
+      rings.moveTo(x + ring_px, y);
+      rings.arc(x, y, ring_px, 0, 2 * Math.PI);
+    }
+    marks.moveTo(x, y - ghost_px);
+    marks.lineTo(x + halfBase_px, y + base_px);
+    marks.lineTo(x - halfBase_px, y + base_px);
+    marks.lineTo(x, y - ghost_px); // cheaper than closing the path, which is dashed anyway
   }
   context.lineJoin = 'miter';
-  if (resolution < rings_m) {
+  if (hasRings) {
     context.setLineDash([4, 4]);
     context.lineWidth = 1.2;
     context.strokeStyle = reach + most;

@@ -13,13 +13,20 @@ export interface Expected {
   error_m: number;
 }
 
-const known = new WeakMap<IcebergDrift, number[]>();
+/** The times of a forecast, cached because each clock step needs them for every iceberg, and the step that was asked for last. */
+interface Moments {
+  at_ms: number[];
+  after: number;
+}
 
-/** The times of a forecast, cached because each clock step needs them for every iceberg. */
-function momentsOf(drift: IcebergDrift): number[] {
-  const moments_ms = known.get(drift) ?? drift.time.map((text) => Date.parse(text));
-  known.set(drift, moments_ms);
-  return moments_ms;
+const known = new WeakMap<IcebergDrift, Moments>();
+
+function momentsOf(drift: IcebergDrift): Moments {
+  const found = known.get(drift);
+  if (found) return found;
+  const moments = { at_ms: drift.time.map((text) => Date.parse(text)), after: 0 };
+  known.set(drift, moments);
+  return moments;
 }
 
 /** The index of the first of ascending times that is not before a moment; their number where all are before it. */
@@ -36,9 +43,13 @@ function firstFrom(moments_ms: number[], at_ms: number): number {
 /** Between which two steps of a forecast a moment lies: the later step, and the share of the time that has passed up to it. Undefined
  * before the sighting and after the end. */
 export function stepsAt(drift: IcebergDrift, at_ms: number): { after: number; share: number } | undefined {
-  const moments_ms = momentsOf(drift);
-  const after = firstFrom(moments_ms, at_ms);
-  const [before_ms, after_ms] = [moments_ms[after - 1], moments_ms[after]];
+  const moments = momentsOf(drift);
+  const moments_ms = moments.at_ms;
+  const isSame = (moments_ms[moments.after - 1] ?? NaN) < at_ms && at_ms <= (moments_ms[moments.after] ?? NaN);
+  if (!isSame) moments.after = firstFrom(moments_ms, at_ms);
+  const { after } = moments;
+  const after_ms = moments_ms[after];
+  const before_ms = moments_ms[after - 1];
   if (after_ms === undefined) return undefined;
   if (after_ms === at_ms) return { after, share: 1 };
   return before_ms === undefined ? undefined : { after, share: (at_ms - before_ms) / (after_ms - before_ms) };
@@ -71,7 +82,7 @@ export const driftLineOf = ({ lon, lat }: IcebergDrift): Position[] => lon.map((
  */
 export function plainLineOf(drift: IcebergDrift): Position[] {
   const line = driftLineOf(drift);
-  const moments_ms = momentsOf(drift);
+  const moments_ms = momentsOf(drift).at_ms;
   const [start_ms, end_ms] = [moments_ms[0], moments_ms.at(-1)];
   if (start_ms === undefined || end_ms === undefined) return line;
   return [...line.slice(0, 1), ...placesEvery(tide_ms, drift, start_ms, end_ms - 1), ...line.slice(1).slice(-1)];
