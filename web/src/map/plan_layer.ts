@@ -164,6 +164,10 @@ function arrowImage(fill: string, casing: string): string {
   return `data:image/svg+xml,${encodeURIComponent(svg)}`;
 }
 
+/** The letter stands between the number of a waypoint, above, and the time of a hold, below. */
+const letterRight_px = 20;
+const letterDown_px = 3;
+
 function vehicleStyles({ style, letter }: ShownPlan, rotation: number, colours: Palette): Style[] {
   const colour = planColour(colours, style);
   return [
@@ -171,8 +175,8 @@ function vehicleStyles({ style, letter }: ShownPlan, rotation: number, colours: 
     new Style({
       text: new Text({
         text: letter,
-        offsetX: 15,
-        offsetY: 12,
+        offsetX: letterRight_px,
+        offsetY: letterDown_px,
         font: '700 12px system-ui, sans-serif',
         fill: new Fill({ color: colour }),
         stroke: new Stroke({ color: colours.casing, width: 4 }),

@@ -44,7 +44,7 @@ export function MapPanel(): VNode {
         <BergCard />
       </div>
       <Legend />
-      <div class="map-lower">
+      <div class="map-lower" style={{ marginBottom: `${noteHeight_px.value}px` }}>
         <Readout />
         <ScaleBar />
       </div>
