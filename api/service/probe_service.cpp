@@ -348,6 +348,7 @@ tl::expected<codec::Probe, core::Violations> probe(sql::Connection& db, const Pr
   read_velocity(db, *sources, DatasetKind::wind, above, result.wind);
   read_ice(db, choose_ice(db, *sources, query), result);
   result.tide = probe_tide(db, sources->datasets, query.place, query.time);
+  result.water_level = probe_water_level(db, sources->datasets, query.place, query.time);
   read_land(db, sources->datasets, result);
   read_icebergs(db, *sources, query, result);
   read_zones(db, sources->datasets, result);

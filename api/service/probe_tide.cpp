@@ -7,6 +7,7 @@
 #include "engine/geo/geodesic.hpp"
 #include "engine/tide/minor_constituents.hpp"
 #include "storage/repository/fields/tide_repository.hpp"
+#include "storage/repository/fields/water_level_repository.hpp"
 
 namespace floeplan::service {
 namespace {
@@ -14,6 +15,11 @@ namespace {
 using ocean::TideQuantity;
 using repository::Dataset;
 using repository::DatasetKind;
+
+std::string station_words(const std::string& name, core::Metres distance) {
+  return (name.empty() ? "a station" : name) + ", " + std::to_string(std::lround(distance.value / 1000.0)) +
+         " km away";
+}
 
 void note_lines(codec::Probe::Tide& tide, const std::vector<tide::HarmonicConstant>& constants) {
   tide.constituents.clear();
@@ -61,18 +67,31 @@ void predict(const NearStation& near, core::UtcTime time, codec::Probe::Tide& ti
   note_lines(tide, near.station.constants);
   tide.dataset_ids = {near.dataset.id.value};
   tide.dataset_names = {near.dataset.name};
-  const std::string name = near.station.name.empty() ? "a station" : near.station.name;
-  tide.station = name + ", " + std::to_string(std::lround(near.distance.value / 1000.0)) + " km away";
+  tide.station = station_words(near.station.name, near.distance);
+}
+
+std::vector<Dataset> of_kind(const std::vector<Dataset>& datasets, DatasetKind kind) {
+  std::vector<Dataset> found;
+  std::ranges::copy_if(datasets, std::back_inserter(found),
+                       [&](const Dataset& dataset) { return dataset.kind == kind; });
+  return found;
+}
+
+void note_level(const Dataset& dataset, const repository::WaterLevel& level, const std::string& station,
+                codec::Probe::WaterLevel& found) {
+  found.height = level.height;
+  found.time_before = level.before;
+  found.time_after = level.after;
+  found.dataset_id = dataset.id.value;
+  found.dataset_name = dataset.name;
+  found.station = station;
 }
 
 }  // namespace
 
 codec::Probe::Tide probe_tide(sql::Connection& db, const std::vector<Dataset>& datasets, geo::LonLat place,
                               core::UtcTime time) {
-  std::vector<Dataset> tides;
-  std::ranges::copy_if(datasets, std::back_inserter(tides),
-                       [](const Dataset& dataset) { return dataset.kind == DatasetKind::tides; });
-
+  const std::vector<Dataset> tides = of_kind(datasets, DatasetKind::tides);
   codec::Probe::Tide tide;
   std::vector<ocean::TideGrid> models;
   for (const Dataset& dataset : tides) {
@@ -91,6 +110,39 @@ codec::Probe::Tide probe_tide(sql::Connection& db, const std::vector<Dataset>& d
     tide.reason =
         models.empty() ? "no tides are stored for this place" : "no value here: land, or a gap of the data";
   return tide;
+}
+
+codec::Probe::WaterLevel probe_water_level(sql::Connection& db, const std::vector<Dataset>& datasets,
+                                           geo::LonLat place, core::UtcTime time) {
+  const repository::WaterLevelRepository levels{db};
+  codec::Probe::WaterLevel found;
+  std::optional<core::Metres> nearest;
+  bool covered = false;
+  for (const Dataset& dataset : of_kind(datasets, DatasetKind::water_levels)) {
+    if (geo::contains(dataset.bounds, place)) {
+      if (const auto level = levels.at(dataset.id, place, time)) {
+        note_level(dataset, *level, "", found);
+        break;
+      }
+      covered = true;
+    }
+    for (const repository::WaterLevelStation& station : levels.stations(dataset.id)) {
+      const core::Metres distance = geo::geodesic_between(place, station.place).length;
+      if (distance > probe_station_range || (nearest && *nearest <= distance)) continue;
+      covered = true;
+      const auto level = repository::level_at(station, time);
+      if (!level) continue;
+      nearest = distance;
+      note_level(dataset, *level, station_words(station.name, distance), found);
+    }
+  }
+  if (found.height) {
+    found.datum = levels.datum({found.dataset_id});
+  } else {
+    found.reason = covered ? "no value here and then: land, a gap of the data, or outside their period"
+                           : "no water-levels data are stored for this place";
+  }
+  return found;
 }
 
 }  // namespace floeplan::service

@@ -20,4 +20,10 @@ inline constexpr core::Metres probe_station_range{20'000.0};
                                             const std::vector<repository::Dataset>& datasets,
                                             geo::LonLat place, core::UtcTime time);
 
+/// The water level at a place and a time: from the first of the datasets whose grid or mesh has a value there; if none
+/// has, from the nearest station within `probe_station_range` that has one.
+[[nodiscard]] codec::Probe::WaterLevel probe_water_level(sql::Connection& db,
+                                                         const std::vector<repository::Dataset>& datasets,
+                                                         geo::LonLat place, core::UtcTime time);
+
 }  // namespace floeplan::service

@@ -266,18 +266,12 @@ inline constexpr auto ingest_file_kinds = std::to_array<Kind>({
              "program does not join. This is one of these files",
      .hint = "Merge them into the layout of SCHISM 5.9 (one file with its mesh, hvel and zcor), or "
              "interpolate them to longitude, latitude and depth first"},
-    {.code = "water-levels-not-read",
-     .rank = Rank::caution,
-     .text = "this is a dataset of water levels (S-104), which is not stored. Plans take depths from their "
-             "datum and never count on the water that a tide adds",
-     .hint = "To see the tide at a place, give harmonic constants; `floeplan probe` then predicts the "
-             "water level. For currents give S-111"},
     {.code = "hydrographic-product-not-read",
      .rank = Rank::caution,
      .text = "this is a dataset of the S-100 product {product} in HDF5. Of S-100, this program reads only "
-             "depths (S-102) and surface currents (S-111)",
+             "depths (S-102), water levels (S-104) and surface currents (S-111)",
      .hint = "Ask its producer for the same data as NetCDF",
-     .slots = {{{"product", "INT.IHO.S-104.1.0"}}}},
+     .slots = {{{"product", "INT.IHO.S-121.1.0"}}}},
     {.code = "thickness-without-concentration",
      .rank = Rank::caution,
      .text = "the file holds a thickness of sea ice but no concentration, so the share of the sea that ice "

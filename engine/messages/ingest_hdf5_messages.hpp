@@ -109,17 +109,18 @@ inline constexpr auto ingest_hdf5_kinds = std::to_array<Kind>({
      .text = "the grid of the S-100 file runs in an order that this program does not read",
      .hint = "Ask its producer for a file whose rows run from south to north"},
 
-    // S-111.
     {.code = "s-places-without-area",
      .rank = Rank::caution,
-     .text = "the places of the currents enclose no area. No current is known between fewer than three "
+     .text = "the places of the values enclose no area. Nothing is known between fewer than three "
              "places, or between places on one line",
      .hint = "Ask the producer for a file of a larger area"},
     {.code = "s-time-unreadable",
      .rank = Rank::caution,
-     .text = "a record of the S-111 file has the unreadable time \"{text}\", so the file is damaged",
+     .text = "a record of the S-100 file has the unreadable time \"{text}\", so the file is damaged",
      .hint = "Copy or download it again",
      .slots = {{{"text", "yesterday"}}}},
+
+    // S-111.
     {.code = "s-depth-missing",
      .rank = Rank::caution,
      .text = "the S-111 file has no number for the depth of its currents, so it is damaged",
@@ -144,6 +145,62 @@ inline constexpr auto ingest_hdf5_kinds = std::to_array<Kind>({
      .text = "the depth of the currents, {depth} m, counts from the chart datum. It was read as the "
              "depth below the surface, which is wrong by the height of the tide",
      .slots = {{{"depth", "4.5"}}}},
+
+    // S-104.
+    {.code = "level-unit-unknown",
+     .rank = Rank::caution,
+     .text = "the water levels of the S-104 file have the unit \"{unit}\", which is not a known length",
+     .hint = "Ask its producer for a file in metres",
+     .slots = {{{"unit", "furlong"}}}},
+    {.code = "level-datum-missing",
+     .rank = Rank::caution,
+     .text = "the S-104 file does not say from which vertical datum its water levels count (verticalDatum "
+             "{code}), so "
+             "they say nothing of the depth of the water",
+     .hint = "Ask its producer for a file with a datum of S-100 or EPSG",
+     .slots = {{{"code", "48"}}}},
+    {.code = "level-sign-unknown",
+     .rank = Rank::caution,
+     .text = "the vertical axis of the S-104 file is not heights upwards in metres ({attribute} is {code}, "
+             "not {wanted}). "
+             "A level with the wrong sign would be wrong by twice the tide",
+     .hint = "Ask its producer for a file with heights above its vertical datum (verticalCS 6499)",
+     .slots = {{{"attribute", "verticalCS"}, {"code", "6498"}, {"wanted", "6499"}}}},
+    {.code = "level-impossible",
+     .rank = Rank::caution,
+     .text = "a water level of the S-104 file is {height} m, but S-104 has none beyond 99.99 m. The unit or "
+             "the file is "
+             "wrong",
+     .hint = "Ask its producer",
+     .slots = {{{"height", "1200"}}}},
+    {.code = "levels-all-missing",
+     .rank = Rank::caution,
+     .text = "every water level of the S-104 file is missing, so nothing was stored",
+     .hint = "Check the area and the period of your download"},
+    {.code = "levels-too-large",
+     .rank = Rank::caution,
+     .text = "the water levels have {times} times of {nodes} nodes, more values than this program accepts (4 "
+             "billion)",
+     .hint = "Cut out your area or period first",
+     .slots = {{{"times", 100000}, {"nodes", 100000}}}},
+    {.code = "level-stations-unequal",
+     .rank = Rank::caution,
+     .text = "the S-104 file has {records} series for {places} stations, so it is damaged or was cut short",
+     .hint = "Copy or download it again",
+     .slots = {{{"records", 3}, {"places", 4}}}},
+    {.code = "levels-above-datum",
+     .rank = Rank::note,
+     .text = "the water levels are heights above their datum ({datum}). probe shows them. Plans do not count "
+             "on them: "
+             "they take depths from the bathymetry alone",
+     .slots = {{{"datum", "lowest astronomical tide"}}}},
+    {.code = "levels-below-datum",
+     .rank = Rank::caution,
+     .text = "the water falls to {fall} m below its datum ({datum}). Depths that count from this datum are "
+             "then too great by as "
+             "much, and plans do not take it away from them",
+     .hint = "Keep the vehicle this much further from the bed (--altimeter-margin)",
+     .slots = {{{"fall", "0.62"}, {"datum", "mean lower low water"}}}},
 });
 
 /// Makes the message with this code. `given`: its values, in the order of its slots in the table above.

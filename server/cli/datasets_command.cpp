@@ -115,7 +115,7 @@ void add_datasets(CLI::App& app, Program& program) {
                    "The oldest data, until the samples of the rest take no more, as 20GB")
       ->transform(CLI::AsSizeValue(true));
   pruning->add_option("--kind", flags->kind, "Data of this kind only")
-      ->check(CLI::IsMember({"all", "currents", "wind", "ice", "icebergs", "glider-tracks"}))
+      ->check(CLI::IsMember({"all", "currents", "wind", "ice", "water-levels", "icebergs", "glider-tracks"}))
       ->capture_default_str();
   pruning->add_flag("--dry-run", flags->dry_run, "List the datasets that would go, and remove nothing");
   pruning->add_flag("--json", flags->json_out, "Answer with one JSON document");

@@ -124,7 +124,7 @@ void add_ingest(CLI::App& app, Program& program) {
   command->add_option("--name", flags->name, "Name of the dataset; default: the file's name");
   command->add_option("--kind", flags->kind, "Kind of data in the file")
       ->check(CLI::IsMember({"auto", "bathymetry", "currents", "ice", "icebergs", "coastline", "tides",
-                             "wind", "zones", "glider-tracks"}))
+                             "water-levels", "wind", "zones", "glider-tracks"}))
       ->capture_default_str();
   command->add_option("--crs", flags->crs,
                       "Reference system, if the file states none, for example EPSG:4326");

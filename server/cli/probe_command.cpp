@@ -1,3 +1,4 @@
+#include <cmath>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -63,6 +64,11 @@ void print_probe(const codec::Probe& probe) {
     std::cout << std::setprecision(3) << "tide      " << tide.velocity->east.value << " m/s east, "
               << tide.velocity->north.value << " m/s north\n";
   if (!tide.reason.empty()) std::cout << "tide      - (" << tide.reason << ")\n";
+  if (const codec::Probe::WaterLevel& level = probe.water_level; level.height) {
+    std::cout << std::setprecision(2) << "water     " << std::abs(level.height->value) << " m "
+              << (level.height->value < 0.0 ? "below" : "above") << " the datum (" << level.datum << ") by "
+              << level.dataset_name << (level.station.empty() ? "" : ", " + level.station) << '\n';
+  }
   for (const auto& near : probe.icebergs) {
     std::cout << "iceberg   " << near.iceberg.id << ", " << std::setprecision(1)
               << near.distance.value / 1000.0 << " km away, seen " << core::iso8601(near.iceberg.observed)
@@ -106,7 +112,8 @@ int run_probe(const ProbeFlags& flags, const Program& program) {
 void add_probe(CLI::App& app, Program& program) {
   auto flags = std::make_shared<ProbeFlags>();
   auto* command = app.add_subcommand(
-      "probe", "Show depth, current, tide, wind, sea ice, icebergs and zones at a place and a time");
+      "probe",
+      "Show depth, current, tide, water level, wind, sea ice, icebergs and zones at a place and a time");
   command->add_option("--at", flags->at, "LON,LAT in degrees")->required();
   command->add_option("--time", flags->time, "ISO 8601 with zone; default: now");
   command->add_option("--depth", flags->depth_m, "Metres below the surface, for the current");

@@ -140,6 +140,18 @@ std::vector<DataFormat> all_formats() {
        .read = [](const Reading& r) { return read_s102_bathymetry(r.file.path); },
        .check = check_hdf5_references},
 
+      {.name = "S-104",
+       .reads =
+           "water levels over time of a hydrographic office, on a regular grid, at separate places, on a "
+           "triangulated mesh or at stations (data coding formats 1, 2, 3, 7 and 8)",
+       .tested_with =
+           "a test file of the IHO (format 2, off Florida); the other formats: files made for the tests",
+       .kinds = {water_levels},
+       .writing = Writing::binary,
+       .is_it = [](const FileStart& start) { return is_s100(start.bytes, "S-104"); },
+       .read = [](const Reading& r) { return read_s104_levels(r.file.path, r.progress); },
+       .check = check_hdf5_references},
+
       {.name = "S-111",
        .reads = "surface currents of a hydrographic office, on a regular grid, at separate places or on a "
                 "triangulated mesh (data coding formats 2, 3 and 7)",

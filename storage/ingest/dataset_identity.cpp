@@ -42,6 +42,7 @@ std::string options_in_use(DatasetKind kind, const IngestOptions& options) {
       if (options.time) say("time", exact(core::unix_seconds(*options.time)));
       break;
     case DatasetKind::wind:
+    case DatasetKind::water_levels:
     case DatasetKind::icebergs:
     case DatasetKind::coastline:
     case DatasetKind::glider_tracks: break;

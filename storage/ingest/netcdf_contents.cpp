@@ -110,8 +110,6 @@ messages::Message nothing_known(const NetcdfFile& file) {
   for (const char* const part : {"horizontalVelX", "horizontalVelY", "zCoordinates"})
     if (file.find(part) != nullptr) return messages::ingest_file_message<"schism-in-parts">();
   if (auto left_out = ice_left_out(file)) return std::move(*left_out);
-  if (file.attribute("productSpecification").starts_with("INT.IHO.S-104"))
-    return messages::ingest_file_message<"water-levels-not-read">();
   if (const std::string product = file.attribute("productSpecification"); product.starts_with("INT.IHO.S-"))
     return messages::ingest_file_message<"hydrographic-product-not-read">(product);
   if (holds_ice_thickness(file)) return messages::ingest_file_message<"thickness-without-concentration">();

@@ -47,6 +47,17 @@ json tide_json(const Probe::Tide& tide) {
           {"constituents", tide.constituents}};
 }
 
+json water_level_json(const Probe::WaterLevel& level) {
+  return {{"height_m", level.height ? json(level.height->value) : json()},
+          {"datum", optional_text(level.datum)},
+          {"reason", optional_text(level.reason)},
+          {"station", optional_text(level.station)},
+          {"dataset_id", optional_text(level.dataset_id)},
+          {"dataset_name", optional_text(level.dataset_name)},
+          {"time_before", optional_time(level.time_before)},
+          {"time_after", optional_time(level.time_after)}};
+}
+
 json zone_json(const Probe::HereZone& here) {
   const ocean::Zone& zone = here.zone;
   return {{"name", zone.name},
@@ -85,6 +96,7 @@ json probe_document(const Probe& probe) {
           {"ice_concentration_reason", optional_text(probe.ice.reason)},
           {"ice", ice_json(probe.ice)},
           {"tide", tide_json(probe.tide)},
+          {"water_level", water_level_json(probe.water_level)},
           {"icebergs_within", std::move(icebergs)},
           {"zones", std::move(zones)}};
 }

@@ -44,6 +44,16 @@ struct Probe {
     // distance of the tide station in words, "12 km away"; empty: from a grid
     std::string station;
   };
+  struct WaterLevel {
+    std::optional<core::Metres> height;  // of the sea surface above the datum; below it if negative
+    std::string datum;                   // in words: "lowest astronomical tide"
+    std::string reason;                  // why there is no height; otherwise empty
+    std::string dataset_id;
+    std::string dataset_name;
+    std::string station;  // name and distance of the station, "Miami, 12 km away"; empty: from a grid
+    std::optional<core::UtcTime> time_before;  // steps of the data before and after the requested time
+    std::optional<core::UtcTime> time_after;
+  };
   struct HereZone {
     ocean::Zone zone;
     bool in_force{};  // at the requested time
@@ -66,6 +76,7 @@ struct Probe {
   Velocity wind;  // 10 m above the sea; direction towards which the wind blows
   Ice ice;
   Tide tide;
+  WaterLevel water_level;
   std::vector<NearIceberg> icebergs;  // nearest first
   std::vector<HereZone> zones;        // zones that contain the place, whether in force or not
 };

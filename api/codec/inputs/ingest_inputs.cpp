@@ -56,7 +56,7 @@ tl::expected<IngestInputs, core::Violations> parse_ingest_inputs(const json& doc
   inputs.name = reader.text("name");
   const auto kind = choice(reader, "kind",
                            {"auto", "bathymetry", "currents", "ice", "icebergs", "coastline", "tides", "wind",
-                            "zones", "glider-tracks"});
+                            "water-levels", "zones", "glider-tracks"});
   if (kind && *kind != "auto") inputs.kind = repository::parse_kind(*kind);
   inputs.crs = reader.text("crs");
   inputs.positive = choice(reader, "positive", {"up", "down"});

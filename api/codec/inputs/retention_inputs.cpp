@@ -15,8 +15,8 @@ using repository::DatasetKind;
 
 constexpr double most_bytes = 1e15;
 // Depths, coasts, tides and zones do not age.
-constexpr std::array ageing{DatasetKind::currents, DatasetKind::wind, DatasetKind::ice, DatasetKind::icebergs,
-                            DatasetKind::glider_tracks};
+constexpr std::array ageing{DatasetKind::currents,     DatasetKind::wind,     DatasetKind::ice,
+                            DatasetKind::water_levels, DatasetKind::icebergs, DatasetKind::glider_tracks};
 
 std::optional<std::int64_t> read_bytes(InputReader& reader) {
   const auto bytes = reader.number("max_bytes", {0.0, most_bytes});

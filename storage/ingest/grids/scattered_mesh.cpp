@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/geo/tangent_plane.hpp"
+#include "engine/messages/ingest_hdf5_messages.hpp"
 #include "storage/ingest/common/gdal_guard.hpp"
 
 namespace floeplan::ingest {
@@ -70,6 +71,18 @@ std::optional<ocean::Mesh> mesh_of_places(std::vector<geo::LonLat> places) {
   }
   leave_out_long_cells(mesh);
   return mesh;
+}
+
+Checked<S100Mesh> mesh_of(const S100Points& points) {
+  if (points.triangles.empty()) {
+    auto mesh = mesh_of_places(points.places);
+    if (!mesh) return refuse(messages::ingest_hdf5_message<"s-places-without-area">());
+    return S100Mesh{std::move(*mesh), "places of their own"};
+  }
+  S100Mesh triangulated{{points.places, {}}, "a triangulated mesh"};
+  for (const auto& [first, second, third] : points.triangles)
+    triangulated.mesh.cells.push_back({first, second, third, third});
+  return triangulated;
 }
 
 }  // namespace floeplan::ingest

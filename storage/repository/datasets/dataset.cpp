@@ -18,6 +18,7 @@ constexpr std::array names{std::pair{DatasetKind::bathymetry, "bathymetry"},
                            std::pair{DatasetKind::icebergs, "icebergs"},
                            std::pair{DatasetKind::coastline, "coastline"},
                            std::pair{DatasetKind::tides, "tides"},
+                           std::pair{DatasetKind::water_levels, "water-levels"},
                            std::pair{DatasetKind::zones, "zones"},
                            std::pair{DatasetKind::glider_tracks, "glider-tracks"}};
 
@@ -52,7 +53,6 @@ void sort_newest_run_first(std::vector<Dataset>& datasets) {
   });
 }
 
-}  // namespace floeplan::repository
 std::optional<StaleMark> stale_mark(const Dataset& dataset, std::span<const Dataset> all) {
   if (dataset.outdated) return StaleMark{"outdated: " + dataset.warnings.back(), std::nullopt};
   if (!was_resampled(dataset.warnings)) return std::nullopt;
@@ -66,3 +66,4 @@ std::optional<StaleMark> stale_mark(const Dataset& dataset, std::span<const Data
   return StaleMark{by + better->id.value + " has the values at the file's own points", better->id};
 }
 
+}  // namespace floeplan::repository

@@ -12,7 +12,18 @@
 namespace floeplan::repository {
 
 /// Kinds of data in the store.
-enum class DatasetKind { bathymetry, currents, wind, ice, icebergs, coastline, tides, zones, glider_tracks };
+enum class DatasetKind {
+  bathymetry,
+  currents,
+  wind,
+  ice,
+  icebergs,
+  coastline,
+  tides,
+  water_levels,
+  zones,
+  glider_tracks
+};
 
 [[nodiscard]] std::string kind_name(DatasetKind kind);
 [[nodiscard]] std::optional<DatasetKind> parse_kind(const std::string& name);
@@ -61,10 +72,6 @@ struct Dataset {
 /// latest time of ingestion (the same file read with other options), then the id.
 void sort_newest_run_first(std::vector<Dataset>& datasets);
 
-/// The dataset of the objects of a kind that users entered over the service; there is at most one.
-[[nodiscard]] inline DatasetId hand_made_id(DatasetKind kind) { return {kind_name(kind) + "-by-hand"}; }
-
-}  // namespace floeplan::repository
 /// What to do about a dataset that an earlier version misread or resampled.
 struct StaleMark {
   std::string text;
@@ -76,3 +83,7 @@ struct StaleMark {
 /// `all`  the stored datasets
 [[nodiscard]] std::optional<StaleMark> stale_mark(const Dataset& dataset, std::span<const Dataset> all);
 
+/// The dataset of the objects of a kind that users entered over the service; there is at most one.
+[[nodiscard]] inline DatasetId hand_made_id(DatasetKind kind) { return {kind_name(kind) + "-by-hand"}; }
+
+}  // namespace floeplan::repository

@@ -58,6 +58,8 @@ std::vector<StoredSize> stored_sizes(sql::Connection& db) {
       "dataset.row) + "
       "(SELECT coalesce(sum(length(lons_deg) + length(lats_deg) + length(corners)), 0) FROM mesh_block WHERE "
       "dataset_row = dataset.row) + "
+      "(SELECT coalesce(sum(length(times_s) + length(heights_m)), 0) FROM water_level_station WHERE dataset_row "
+      "= dataset.row) + "
       "(SELECT coalesce(sum(length(way)), 0) FROM glider_track WHERE dataset_row = dataset.row) AS BIGINT) "
       "FROM dataset "
       "WHERE id = ?1"};

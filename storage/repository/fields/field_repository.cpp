@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/messages/store_messages.hpp"
+#include "engine/ocean/grids/bilinear.hpp"
 #include "engine/ocean/grids/mesh_lattice.hpp"
 #include "storage/repository/datasets/dataset_row.hpp"
 #include "storage/repository/encoding/blob_codec.hpp"
@@ -361,6 +362,35 @@ std::optional<ocean::IceField> FieldRepository::load_ice(const DatasetId& id, co
                           .times_s = times->nodes,
                           .concentration = read("concentration"),
                           .thickness_m = has_thickness ? read("thickness_m") : std::vector<float>{}}};
+}
+
+std::optional<FieldRepository::Series> FieldRepository::load_series(const DatasetId& id,
+                                                                    const std::string& variable,
+                                                                    geo::LonLat place, Period period) const {
+  const sql::Snapshot one_moment{db_};
+  const auto layout = find_layout(db_, id);
+  const auto stored = shape(id);
+  if (!layout || !stored || !stored->times_s) return std::nullopt;
+  const geo::BoundingBox here{place.lon_deg, place.lat_deg, place.lon_deg, place.lat_deg};
+  const auto window = window_around(stored->grid, here);
+  const auto times = steps_around(*stored->times_s, period);
+  if (!window || !times) return std::nullopt;
+  if (layout->native)
+    return Series{times->nodes, read_native_series(db_, *layout->native, place, variable, *times)};
+
+  const ocean::HorizontalGrid around{stored->grid.frame(), window->x.nodes, window->y.nodes};
+  const auto position = around.locate(place);
+  if (!position) return std::nullopt;
+  ChunkReader reader{db_, layout->chunks};
+  const std::vector<float> samples =
+      read_block(reader, variable, times->runs.front(), {0, 1}, *window, stop_);
+  Series series{times->nodes, {}};
+  for (std::size_t first = 0; first < samples.size(); first += around.size()) {
+    const auto value =
+        ocean::bilinear(std::span{samples}.subspan(first, around.size()), around.x().size(), *position);
+    series.values.push_back(value ? static_cast<float>(*value) : std::numeric_limits<float>::quiet_NaN());
+  }
+  return series;
 }
 
 std::vector<std::string> FieldRepository::variables(const DatasetId& id) const {

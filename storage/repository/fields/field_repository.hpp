@@ -98,6 +98,15 @@ class FieldRepository {
   [[nodiscard]] std::optional<ocean::IceField> load_ice(const DatasetId& id, const geo::BoundingBox& area,
                                                         std::optional<Period> period) const;
 
+  /// One variable without depths at a place, at the steps around a period; NaN where it is missing. Between nodes it is
+  /// interpolated bilinearly, or within the cell of its mesh.
+  struct Series {
+    ocean::Axis times_s;
+    std::vector<float> values;
+  };
+  [[nodiscard]] std::optional<Series> load_series(const DatasetId& id, const std::string& variable,
+                                                  geo::LonLat place, Period period) const;
+
   /// Names of all stored variables, ascending.
   [[nodiscard]] std::vector<std::string> variables(const DatasetId& id) const;
   /// Variables without depth and time on the nodes around `area`, [variable][y][x]; NaN where nothing was written. Of data

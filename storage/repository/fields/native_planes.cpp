@@ -48,4 +48,19 @@ ocean::IceField read_native_ice(sql::Connection& db, const NativeLayout& layout,
                           .thickness_m = has_thickness ? read("thickness_m") : std::vector<float>{}}};
 }
 
+std::vector<float> read_native_series(sql::Connection& db, const NativeLayout& layout, geo::LonLat place,
+                                      const std::string& variable, const AxisWindow& times) {
+  const geo::BoundingBox here{place.lon_deg, place.lat_deg, place.lon_deg, place.lat_deg};
+  const MeshPart part = MeshBlocks{db}.around(layout.chunks.dataset_row, here);
+  const ocean::HorizontalGrid node{geo::GeographicFrame{}, ocean::Axis{{place.lon_deg}},
+                                   ocean::Axis{{place.lat_deg}}};
+  const ocean::MeshSampling sampling = sampling_of(part.mesh, node);
+  PointReader reader{db, layout, part};
+  const NodeRun steps = times.runs.front();
+  std::vector<float> values;
+  for (std::size_t time = steps.first; time < steps.first + steps.count; ++time)
+    values.push_back(sampling.apply(reader.read({variable, time, 0})).front());
+  return values;
+}
+
 }  // namespace floeplan::repository

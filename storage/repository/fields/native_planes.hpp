@@ -1,8 +1,11 @@
 #pragma once
 
 #include <stop_token>
+#include <string>
+#include <vector>
 
 #include "engine/geo/bounding_box.hpp"
+#include "engine/geo/lon_lat.hpp"
 #include "engine/ocean/bed/bathymetry.hpp"
 #include "engine/ocean/grids/horizontal_grid.hpp"
 #include "engine/ocean/ice/ice_field.hpp"
@@ -27,5 +30,10 @@ namespace floeplan::repository {
                                               const geo::BoundingBox& area,
                                               const ocean::HorizontalGrid& lattice, const AxisWindow& times,
                                               bool has_thickness, const std::stop_token& stop);
+
+/// A variable without depths at a place, one value for each of the steps; NaN outside the model's water.
+[[nodiscard]] std::vector<float> read_native_series(sql::Connection& db, const NativeLayout& layout,
+                                                    geo::LonLat place, const std::string& variable,
+                                                    const AxisWindow& times);
 
 }  // namespace floeplan::repository

@@ -23,7 +23,7 @@ inline constexpr std::int64_t first_server_schema = 17;
 /// Programs that know this schema may work on a server's store of the newest schema: whatever scripts came after it
 /// only added what such programs need not know. A script that changes what is there raises it. So nodes of two
 /// neighbouring versions work together while a new version is rolled out.
-inline constexpr std::int64_t server_schema_usable_from = 19;
+inline constexpr std::int64_t server_schema_usable_from = 20;  // a dataset may be of water levels
 
 /// The schema that this program writes. Stores with older schemas are converted to it, newer ones are refused.
 [[nodiscard]] std::int64_t newest_schema(sql::Engine engine = sql::Engine::embedded);

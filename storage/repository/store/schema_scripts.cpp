@@ -406,6 +406,24 @@ CREATE TABLE mesh_block (
   corners BLOB NOT NULL,  -- numbers of points, four for each cell
   PRIMARY KEY (dataset_row, block)
 ) STRICT;
+)sql",
+                             R"sql(
+CREATE TABLE water_level (  -- heights above a datum, upwards: of a field, or of stations
+  dataset_row INTEGER PRIMARY KEY REFERENCES dataset (row) ON DELETE CASCADE,
+  datum TEXT NOT NULL  -- in words
+) STRICT;
+
+CREATE TABLE water_level_station (
+  dataset_row INTEGER NOT NULL REFERENCES dataset (row) ON DELETE CASCADE,
+  position INTEGER NOT NULL,  -- in its file, from 0
+  name TEXT NOT NULL,
+  lon_deg REAL NOT NULL,
+  lat_deg REAL NOT NULL,
+  level_count INTEGER NOT NULL,
+  times_s BLOB NOT NULL,
+  heights_m BLOB NOT NULL,
+  PRIMARY KEY (dataset_row, position)
+) STRICT;
 )sql"};
 
 }  // namespace

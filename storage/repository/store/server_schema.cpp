@@ -441,6 +441,24 @@ CREATE TRIGGER parts_offered AFTER INSERT ON job_part FOR EACH ROW
 WHEN (NEW.part = 0) EXECUTE FUNCTION announce_parts('parts');
 CREATE TRIGGER part_finished AFTER UPDATE OF result ON job_part FOR EACH ROW
 EXECUTE FUNCTION announce_parts('part');
+)sql",
+                             R"sql(
+CREATE TABLE water_level (  -- heights above a datum, upwards: of a field, or of stations
+  dataset_row BIGINT PRIMARY KEY REFERENCES dataset (row) ON DELETE CASCADE DEFERRABLE,
+  datum TEXT NOT NULL  -- in words
+);
+
+CREATE TABLE water_level_station (
+  dataset_row BIGINT NOT NULL REFERENCES dataset (row) ON DELETE CASCADE DEFERRABLE,
+  position BIGINT NOT NULL,  -- in its file, from 0
+  name TEXT NOT NULL,
+  lon_deg DOUBLE PRECISION NOT NULL,
+  lat_deg DOUBLE PRECISION NOT NULL,
+  level_count BIGINT NOT NULL,
+  times_s BYTEA NOT NULL,
+  heights_m BYTEA NOT NULL,
+  PRIMARY KEY (dataset_row, position)
+);
 )sql"};
 
 }  // namespace

@@ -60,9 +60,10 @@ TEST(DataFormats, HaveANameOfTheirOwnAReaderAndKinds) {
 }
 
 TEST(DataFormats, HoldEveryKindOfDataBetweenThem) {
-  for (const DatasetKind kind : {DatasetKind::bathymetry, DatasetKind::currents, DatasetKind::wind,
-                                 DatasetKind::ice, DatasetKind::icebergs, DatasetKind::coastline,
-                                 DatasetKind::tides, DatasetKind::zones, DatasetKind::glider_tracks})
+  for (const DatasetKind kind :
+       {DatasetKind::bathymetry, DatasetKind::currents, DatasetKind::wind, DatasetKind::ice,
+        DatasetKind::icebergs, DatasetKind::coastline, DatasetKind::tides, DatasetKind::water_levels,
+        DatasetKind::zones, DatasetKind::glider_tracks})
     EXPECT_TRUE(std::ranges::any_of(data_formats(), [&](const DataFormat& format) {
       return std::ranges::find(format.kinds, kind) != format.kinds.end();
     })) << repository::kind_name(kind);

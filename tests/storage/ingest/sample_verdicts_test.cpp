@@ -55,9 +55,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Refused{"tides/uhslc_h820_nuuk_hourly.nc", "no currents, depths, sea ice or wind"}));
 
 INSTANTIATE_TEST_SUITE_P(S100, SampleWithoutData,
-                         testing::Values(Refused{"s100/104US00_Florida_Ovp_20260111_20260120.h5",
-                                                 "dataset of water levels (S-104)"},
-                                         Refused{"s100/101AA005C1MNS.000", "an electronic chart of S-101"}));
+                         testing::Values(Refused{"s100/101AA005C1MNS.000", "an electronic chart of S-101"}));
 
 /// Every sample is named in a test of these rooms, here or where its values are compared.
 TEST(Samples, AreAllJudged) {

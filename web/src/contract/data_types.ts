@@ -6,10 +6,10 @@
 export type Position = [lon: number, lat: number];
 export type Box = [west: number, south: number, east: number, north: number];
 
-export type DatasetKind = 'bathymetry' | 'currents' | 'ice' | 'icebergs' | 'coastline' | 'tides' | 'wind' | 'zones' | 'glider-tracks';
+export type DatasetKind = 'bathymetry' | 'currents' | 'ice' | 'icebergs' | 'coastline' | 'tides' | 'water-levels' | 'wind' | 'zones' | 'glider-tracks';
 
-/** Kinds of data that plans use; glider tracks are only stored and shown. */
-export type PlanningKind = Exclude<DatasetKind, 'glider-tracks'>;
+/** Kinds of data that plans use; water levels and glider tracks are only stored and shown. */
+export type PlanningKind = Exclude<DatasetKind, 'glider-tracks' | 'water-levels'>;
 
 export interface Dataset {
   id: string;

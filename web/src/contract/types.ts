@@ -305,6 +305,14 @@ export interface Probe {
     time_before: string | null;
     time_after: string | null;
   };
+  water_level: {
+    height_m: number | null; // above the datum; below it if negative
+    datum: string | null;
+    station: string | null;
+    dataset_name: string | null;
+    time_before: string | null;
+    time_after: string | null;
+  };
   icebergs_within: { berg_id: string; distance_m: number; observed: string; size: string }[];
 }
 

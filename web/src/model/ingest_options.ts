@@ -17,7 +17,7 @@ export const ingestOptions: Record<OptionName, Option> = {
     title: 'Kind',
     choices: [
       ['bathymetry', 'depths'], ['currents', 'currents'], ['ice', 'sea ice'], ['icebergs', 'icebergs'], ['coastline', 'coastline'],
-      ['tides', 'tides'], ['wind', 'wind'], ['zones', 'zones'], ['glider-tracks', 'tracks of gliders'],
+      ['tides', 'tides'], ['water-levels', 'water levels'], ['wind', 'wind'], ['zones', 'zones'], ['glider-tracks', 'tracks of gliders'],
     ],
   },
   positive: { title: 'Positive', choices: [['up', 'up: elevations'], ['down', 'down: depths']] },

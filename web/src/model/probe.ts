@@ -26,4 +26,10 @@ export function currentInWords({ currents: { u_m_s, v_m_s } }: Probe): string {
   return u_m_s === null || v_m_s === null ? none : `${speed(Math.hypot(u_m_s, v_m_s))} to ${course(directionTowards_deg(u_m_s, v_m_s))}`;
 }
 
+/** "1.87 m above lowest astronomical tide"; undefined if none is stored there and then. */
+export function levelInWords({ water_level: { height_m, datum } }: Probe): string | undefined {
+  if (height_m === null) return undefined;
+  return `${Math.abs(height_m).toFixed(2)} m ${height_m < 0 ? 'below' : 'above'} the datum (${datum ?? 'not named'})`;
+}
+
 export const iceInWords = ({ ice_concentration, ice }: Probe): string => seaIceInWords(ice_concentration, ice.thickness_m);

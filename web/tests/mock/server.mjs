@@ -116,6 +116,7 @@ function probe(url) {
       dataset_name: 'synthetic strait currents', time_before: time, time_after: time,
     },
     ice_concentration: null, ice_concentration_reason: 'no sea ice data are stored',
+    water_level: { height_m: null, datum: null, station: null, dataset_name: null, time_before: null, time_after: null },
     icebergs_within: near.sort((a, b) => a.distance_m - b.distance_m).slice(0, 3),
   };
 }

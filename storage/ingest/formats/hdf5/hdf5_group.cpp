@@ -17,7 +17,9 @@ using Space = Hdf5Handle<H5Sclose>;
 
 constexpr std::size_t longest_text = 65'536;   // bytes; texts lie in an object header, which is no larger
 constexpr hssize_t most_numbers = 10'000'000;  // the largest number of points of a grid
-constexpr hssize_t most_texts = 1000;          // chosen: tables of texts describe the values of a product
+constexpr hssize_t most_texts =
+    100'000;  // chosen: such as the times of a station, minute by minute for two months
+constexpr std::size_t most_column_bytes = 16'000'000;  // chosen: of all texts of a column, if of fixed length
 constexpr std::size_t largest_number = 16;     // bytes of one number
 
 tl::unexpected<Messages> unreadable_part(const std::string& name) {
@@ -141,7 +143,9 @@ Checked<std::vector<std::string>> Hdf5Table::texts(const std::string& part) cons
   const hssize_t count = space ? H5Sget_simple_extent_npoints(space.get()) : -1;
   if (!in_file || H5Tget_class(in_file.get()) != H5T_STRING || shape_.size() != 1 || count < 0 ||
       count > most_texts ||
-      (H5Tis_variable_str(in_file.get()) <= 0 && H5Tget_size(in_file.get()) > longest_text))
+      (H5Tis_variable_str(in_file.get()) <= 0 &&
+       H5Tget_size(in_file.get()) >
+           std::min(longest_text, most_column_bytes / static_cast<std::size_t>(count + 1))))
     return unreadable_part(open_->name);
   const Type text = text_in_memory(in_file.get());
   const Type in_memory = part_alone(part, text.get());

@@ -28,7 +28,7 @@ class Hdf5Table {
   /// Errors  there is no such part, or it is not numeric; more than ten million elements; damage
   [[nodiscard]] Checked<std::vector<double>> all_numbers(const std::string& part) const;
   /// One part of all elements of a table of one dimension.
-  /// Errors  there is no such part, or it is no text; more than a thousand elements; damage
+  /// Errors  there is no such part, or it is no text; more than 100000 elements; damage
   [[nodiscard]] Checked<std::vector<std::string>> texts(const std::string& part) const;
 
  private:

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/core/utc_text.hpp"
 #include "engine/geo/written_place.hpp"
 #include "engine/messages/ingest_hdf5_messages.hpp"
 #include "storage/ingest/common/missing_value.hpp"
-#include "storage/ingest/formats/netcdf/netcdf_axis.hpp"
 #include "storage/ingest/notation/grid_frame_of_crs.hpp"
 #include "storage/ingest/notation/text.hpp"
 
@@ -197,12 +197,17 @@ Checked<std::vector<float>> S100Coverage::read(const Hdf5Table& table, const std
 }
 
 Checked<std::vector<float>> S100Points::read(std::size_t record, const std::string& value) const {
+  auto read = read_station(record, value);
+  if (read && read->size() != places.size())
+    return refuse(messages::ingest_hdf5_message<"s-hundred-record-of-other-size">());
+  return read;
+}
+
+Checked<std::vector<float>> S100Points::read_station(std::size_t record, const std::string& value) const {
   const auto table = records[record].table("values");
   if (!table) return refuse(table.error());
   const auto stored = table->all_numbers(value);
   if (!stored) return refuse(stored.error());
-  if (stored->size() != places.size())
-    return refuse(messages::ingest_hdf5_message<"s-hundred-record-of-other-size">());
   const auto described = values.find(value);
   const float fill = described == values.end() ? missing : described->second.fill;
   std::vector<float> result;
@@ -221,8 +226,30 @@ Checked<S100Layout> s100_layout(const std::filesystem::path& path, const std::st
   if (!feature) return refuse(feature.error());
   const double layout = feature->number("dataCodingFormat").value_or(0.0);
   if (layout == regular_grid) return S100Layout::regular_grid;
+  if (layout == stations) return S100Layout::stations;
+  if (layout == stations_one_by_one) return S100Layout::stations_one_by_one;
   return layout == ungeorectified_grid || layout == triangulated_mesh ? S100Layout::points
                                                                       : S100Layout::other;
+}
+
+std::optional<core::UtcTime> s100_time(std::string text) {
+  constexpr std::size_t basic_length = 16;
+  if (text.size() == basic_length) {
+    for (const std::size_t at : {13UL, 11UL}) text.insert(at, ":");
+    for (const std::size_t at : {6UL, 4UL}) text.insert(at, "-");
+  }
+  return core::parse_iso8601(text);
+}
+
+Checked<AxisNodes> s100_times(const std::vector<Hdf5Group>& records) {
+  std::vector<double> times_s;
+  for (const Hdf5Group& record : records) {
+    const std::string text = record.text("timePoint").value_or("");
+    const auto time = s100_time(text);
+    if (!time) return refuse(messages::ingest_hdf5_message<"s-time-unreadable">(text));
+    times_s.push_back(core::unix_seconds(*time));
+  }
+  return sorted_nodes("timePoint", std::move(times_s));
 }
 
 Checked<S100Points> s100_points(const std::filesystem::path& path, const std::string& feature_name) {
@@ -258,7 +285,7 @@ Checked<S100Points> s100_points(const std::filesystem::path& path, const std::st
   if (!values) return refuse(values.error());
   auto records = records_in(*area);
   if (!records) return refuse(records.error());
-  return S100Points{std::move(*file), std::move(places), std::move(*triangles), std::move(*values),
+  return S100Points{std::move(*file),   *area, std::move(places), std::move(*triangles), std::move(*values),
                     std::move(*records)};
 }
 
@@ -289,9 +316,13 @@ Checked<S100Coverage> s100_coverage(const std::filesystem::path& path, const std
   if (!values) return refuse(values.error());
   auto records = records_in(*area);
   if (!records) return refuse(records.error());
-  return S100Coverage{std::move(*file),   {*frame, ocean::Axis{x->nodes}, ocean::Axis{y->nodes}},
-                      x_values->size(),   std::move(x->source),
-                      std::move(*values), std::move(*records)};
+  return S100Coverage{std::move(*file),
+                      *area,
+                      {*frame, ocean::Axis{x->nodes}, ocean::Axis{y->nodes}},
+                      x_values->size(),
+                      std::move(x->source),
+                      std::move(*values),
+                      std::move(*records)};
 }
 
 }  // namespace floeplan::ingest

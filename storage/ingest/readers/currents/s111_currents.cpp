@@ -5,11 +5,9 @@
 #include <string>
 #include <utility>
 
-#include "engine/core/utc_text.hpp"
 #include "engine/messages/ingest_current_messages.hpp"
 #include "engine/messages/ingest_hdf5_messages.hpp"
 #include "storage/ingest/common/missing_value.hpp"
-#include "storage/ingest/formats/netcdf/netcdf_axis.hpp"
 #include "storage/ingest/formats/s100/s100_coverage.hpp"
 #include "storage/ingest/grids/scattered_mesh.hpp"
 #include "storage/ingest/notation/cf_units.hpp"
@@ -23,28 +21,6 @@ namespace {
 constexpr const char* feature_name = "SurfaceCurrent";
 constexpr const char* speed_name = "surfaceCurrentSpeed";
 constexpr const char* direction_name = "surfaceCurrentDirection";
-
-/// A time in the notation of S-100, "20260111T002000Z", or in ISO 8601 with separators.
-std::optional<core::UtcTime> s111_time(std::string text) {
-  constexpr std::size_t basic_length = 16;
-  if (text.size() == basic_length) {
-    for (const std::size_t at : {13UL, 11UL}) text.insert(at, ":");
-    for (const std::size_t at : {6UL, 4UL}) text.insert(at, "-");
-  }
-  return core::parse_iso8601(text);
-}
-
-/// Times of the records in ascending order, and the index of the record for each.
-Checked<AxisNodes> record_times(const std::vector<Hdf5Group>& records) {
-  std::vector<double> times_s;
-  for (const Hdf5Group& record : records) {
-    const std::string text = record.text("timePoint").value_or("");
-    const auto time = s111_time(text);
-    if (!time) return refuse(messages::ingest_hdf5_message<"s-time-unreadable">(text));
-    times_s.push_back(core::unix_seconds(*time));
-  }
-  return sorted_nodes("timePoint", std::move(times_s));
-}
 
 /// The depth of the currents.
 struct Level {
@@ -211,18 +187,11 @@ Checked<S111Head> head_of(const Values& currents) {
   const std::string unit = speed == currents.values.end() ? "" : speed->second.unit;
   const auto unit_m_s = speed_factor(unit);
   if (!unit_m_s) return refuse(messages::ingest_hdf5_message<"s-speed-unit-unknown">(unit));
-  auto times = record_times(currents.records);
+  auto times = s100_times(currents.records);
   if (!times) return refuse(times.error());
   const auto level = s111_level(currents.file);
   if (!level) return refuse(level.error());
   return S111Head{*unit_m_s, std::move(*times), *level};
-}
-
-ocean::Mesh mesh_of_triangles(const S100Points& currents) {
-  ocean::Mesh mesh{currents.places, {}};
-  for (const auto& [first, second, third] : currents.triangles)
-    mesh.cells.push_back({first, second, third, third});
-  return mesh;
 }
 
 Checked<CurrentInput> points_in(const std::filesystem::path& file) {
@@ -231,15 +200,10 @@ Checked<CurrentInput> points_in(const std::filesystem::path& file) {
   auto head = head_of(*currents);
   if (!head) return refuse(head.error());
   CurrentInput input;
-  if (currents->triangles.empty()) {
-    auto mesh = mesh_of_places(currents->places);
-    if (!mesh) return refuse(messages::ingest_hdf5_message<"s-places-without-area">());
-    input.mesh = std::move(*mesh);
-    input.layout = "places of their own";
-  } else {
-    input.mesh = mesh_of_triangles(*currents);
-    input.layout = "a triangulated mesh";
-  }
+  auto mesh = mesh_of(*currents);
+  if (!mesh) return refuse(mesh.error());
+  input.mesh = std::move(mesh->mesh);
+  input.layout = std::move(mesh->layout);
   if (head->level.warning) input.warnings.push_back(*head->level.warning);
   input.source = std::make_shared<const S111PointSource>(std::move(*currents), std::move(head->times),
                                                          head->level.depth_m, head->unit_m_s);

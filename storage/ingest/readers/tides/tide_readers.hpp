@@ -45,4 +45,15 @@ namespace floeplan::ingest {
 /// Source   libtcd.html of libtcd 2.2.2, zone_offset: "the standard time to which epochs are adjusted"
 [[nodiscard]] Checked<PreparedDataset> read_tcd_stations(const std::filesystem::path& file);
 
+/// Water levels of IHO S-104 over time: on a regular grid (data coding format 2), at separate places or on a triangulated
+/// mesh (3 and 7), or at fixed stations (1 and 8).
+/// Sign    heights of the sea surface above the file's vertical datum, upwards; a file whose vertical axis is another is
+///         refused
+/// Errors  those of s100_coverage and s100_points; no datum; a unit that is no length; a level beyond 99.99 m; a record
+///         without a time; nothing but missing values
+/// Source  IHO S-104 edition 2.0.0, tables 10-3, 12-1 to 12-3 and 12-8; S-100 edition 5.2.0, part 10c, tables 10c-6 to
+///         10c-16
+[[nodiscard]] Checked<PreparedDataset> read_s104_levels(const std::filesystem::path& file,
+                                                        const core::ProgressCallback& progress);
+
 }  // namespace floeplan::ingest

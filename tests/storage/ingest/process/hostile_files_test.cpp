@@ -21,6 +21,7 @@
 #include "storage/repository/features/glider_track_repository.hpp"
 #include "storage/repository/features/iceberg_repository.hpp"
 #include "storage/repository/fields/field_repository.hpp"
+#include "storage/repository/fields/water_level_repository.hpp"
 #include "tests/storage/ingest/support/adcirc_writer.hpp"
 #include "tests/storage/ingest/support/archive_writer.hpp"
 #include "tests/storage/ingest/support/foreign_files.hpp"
@@ -108,6 +109,12 @@ class HostileFiles : public StoreFixture {
         record.values = {std::vector<float>(64, 0.5F), std::vector<float>(64, 60.0F)};
       sample.write(path(name));
     }
+    if (name == "ice.nc") write_bent_ice(path(name));
+    if (name == "levels.h5")
+      s104_sample([](std::size_t column, std::size_t row, std::size_t time) {
+        return 0.5F + 0.1F * static_cast<float>(column + row + time);
+      }).write(path(name));
+    if (name == "stations.h5") s104_stations().write(path(name));
     if (name == "bed.h5") s102_sample({10.0F, 20.0F, 30.0F, 40.0F, 50.0F, 60.0F}, 2.0F).write(path(name));
     if (name == "tides.tcd")
       write_tcd(
@@ -152,6 +159,41 @@ class HostileFiles : public StoreFixture {
                           {"id": "a", "observed": "2026-11-20T06:00:00Z", "length_m": 120},
                           "geometry": {"type": "Point", "coordinates": [-52.0, 69.0]}}]})");
     return path(name);
+  }
+
+  /// Sea ice at a model's own points, whose places are tables.
+  static void write_bent_ice(const std::filesystem::path& file) {
+    const ModelGrid grid{.columns = 12, .rows = 10};
+    NetcdfWriter ice{file};
+    ice.dimension("time", 1);
+    ice.dimension("y", grid.rows);
+    ice.dimension("x", grid.columns);
+    const auto add = [&](const std::string& name, const std::map<std::string, std::string>& texts,
+                         const std::vector<std::string>& dimensions, const auto& value_at) {
+      std::vector<double> values;
+      for (std::size_t j = 0; j < grid.rows; ++j)
+        for (std::size_t i = 0; i < grid.columns; ++i)
+          values.push_back(value_at(grid.place(static_cast<double>(i), static_cast<double>(j))));
+      ice.variable({.name = name,
+                    .dimensions = dimensions,
+                    .values = values,
+                    .texts = texts,
+                    .numbers = {},
+                    .fill = {},
+                    .type = NetcdfWriter::Type::float64});
+    };
+    add("nav_lon", {{"units", "degrees_east"}}, {"y", "x"}, [](geo::LonLat place) { return place.lon_deg; });
+    add("nav_lat", {{"units", "degrees_north"}}, {"y", "x"}, [](geo::LonLat place) { return place.lat_deg; });
+    add("siconc",
+        {{"units", "1"}, {"standard_name", "sea_ice_area_fraction"}, {"coordinates", "nav_lon nav_lat"}},
+        {"time", "y", "x"}, [](geo::LonLat place) { return 0.5 + 0.1 * (place.lat_deg - 70.0); });
+    ice.variable({.name = "time",
+                  .dimensions = {"time"},
+                  .values = {0.0},
+                  .texts = {{"units", "hours since 2026-11-20 00:00:00"}},
+                  .numbers = {},
+                  .fill = {},
+                  .type = NetcdfWriter::Type::float64});
   }
 
   static std::string slocum_log() {
@@ -255,6 +297,14 @@ class HostileFiles : public StoreFixture {
       for (const std::string& variable : fields.variables(dataset.id))
         if (const auto planes = fields.load_planes(dataset.id, world, std::array{variable}))
           expect_within(planes->values.front(), -9000.0F, 12'000.0F);  // Everest is 8,849 m high
+    if (dataset.kind == repository::DatasetKind::ice)
+      if (const auto ice = fields.load_ice(dataset.id, world, std::nullopt))
+        expect_within(ice->samples().concentration, 0.0F, 1.0F);
+    if (dataset.kind == repository::DatasetKind::water_levels)
+      for (const auto& station : repository::WaterLevelRepository{db_}.stations(dataset.id)) {
+        expect_place(station.place);
+        expect_within(station.heights_m, -99.99F, 99.99F);
+      }
     if (dataset.kind == repository::DatasetKind::icebergs)
       for (const auto& sighting : repository::IcebergRepository{db_}.list({}, 0, 10'000))
         expect_place(sighting.iceberg.place);
@@ -324,12 +374,13 @@ TEST_P(HostileFormat, WithBytesChangedLeavesNothingHalfInTheStore) {
 INSTANTIATE_TEST_SUITE_P(
     Of, HostileFormat,
     testing::Values("US4MD81M.000", "gutils_profile.nc", "gnome_gridded_current.nc", "sample-2.0.1.bag",
-                    "comet-2019-222-02-154.dbd", "currents.nc", "mesh.nc", "roms.nc", "fort.64", "bed.tif",
-                    "bergs.gpkg", "bergs.shp", "bergs.zip", "currents.grb", "currents.h5", "places.h5",
-                    "bed.h5", "tides.tcd", "detections.csv", "log.csv", "p5610005.log", "sea035.6.gli.sub.1",
-                    "seaglider_p1800001.nc", "bed.asc", "bergs.kml", "chart_20261120.gml", "bergs.geojson",
-                    "nw_atlantic_etopo1_4min.xyz", "cis_beacon_1997_12995.csv", "byu_latest_20260818.json",
-                    "noaa_anchorage-knik-arm.json", "otps_tpxo9v2a_extract_HC_sample_out.txt"),
+                    "comet-2019-222-02-154.dbd", "currents.nc", "mesh.nc", "roms.nc", "ice.nc", "fort.64",
+                    "bed.tif", "bergs.gpkg", "bergs.shp", "bergs.zip", "currents.grb", "currents.h5",
+                    "places.h5", "levels.h5", "stations.h5", "bed.h5", "tides.tcd", "detections.csv",
+                    "log.csv", "p5610005.log", "sea035.6.gli.sub.1", "seaglider_p1800001.nc", "bed.asc",
+                    "bergs.kml", "chart_20261120.gml", "bergs.geojson", "nw_atlantic_etopo1_4min.xyz",
+                    "cis_beacon_1997_12995.csv", "byu_latest_20260818.json", "noaa_anchorage-knik-arm.json",
+                    "otps_tpxo9v2a_extract_HC_sample_out.txt"),
     [](const testing::TestParamInfo<const char*>& format) {
       std::string name = format.param;
       std::ranges::replace_if(

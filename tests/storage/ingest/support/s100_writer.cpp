@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdio>
+#include <cstring>
 #include <stdexcept>
 
 namespace floeplan::ingest {
@@ -83,14 +84,24 @@ void describe(hid_t file, const S100Sample& sample) {
 }
 
 void put_values(hid_t group, const S100Sample& sample, const S100Sample::Record& record) {
-  const hid_t cell = H5Tcreate(H5T_COMPOUND, sample.values.size() * sizeof(float));
+  const std::size_t numbers_bytes = sample.values.size() * sizeof(float);
+  const std::size_t bytes = numbers_bytes + (record.times.empty() ? 0 : text_bytes);
+  const hid_t cell = H5Tcreate(H5T_COMPOUND, bytes);
   for (std::size_t i = 0; i < sample.values.size(); ++i)
     H5Tinsert(cell, sample.values[i].code.c_str(), i * sizeof(float), H5T_IEEE_F32LE);
-  std::vector<float> cells;
-  for (std::size_t node = 0; node < sample.rows * sample.columns; ++node)
-    for (const std::vector<float>& values : record.values) cells.push_back(values.at(node));
+  const hid_t text = text_type(false);
+  if (!record.times.empty()) H5Tinsert(cell, "waterLevelTime", numbers_bytes, text);
+  const std::size_t nodes = record.values.front().size();
+  std::vector<char> cells(nodes * bytes);
+  for (std::size_t node = 0; node < nodes; ++node) {
+    for (std::size_t i = 0; i < record.values.size(); ++i)
+      std::memcpy(cells.data() + node * bytes + i * sizeof(float), &record.values[i].at(node), sizeof(float));
+    if (!record.times.empty())
+      record.times.at(node).copy(cells.data() + node * bytes + numbers_bytes, text_bytes);
+  }
+  H5Tclose(text);
   const std::array<hsize_t, 2> size{sample.rows, sample.columns};
-  const hsize_t count = sample.places.size();
+  const hsize_t count = nodes;
   const hid_t space = sample.places.empty() ? H5Screate_simple(2, size.data(), nullptr)
                                             : H5Screate_simple(1, &count, nullptr);
   const hid_t table = H5Dcreate2(group, "values", cell, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
@@ -153,7 +164,9 @@ void put_area(hid_t feature, const S100Sample& sample, int number) {
   int count = 0;
   for (const S100Sample::Record& record : sample.records) {
     const hid_t group = put_group(area, numbered("Group_", "%03d", ++count));
-    put_text(group, "timePoint", record.time, false);
+    if (!record.time.empty()) put_text(group, "timePoint", record.time, false);
+    for (const auto& [name, text] : record.texts) put_text(group, name, text);
+    for (const auto& [name, number] : record.numbers) put_number(group, name, number);
     put_values(group, sample, record);
     H5Gclose(group);
   }
@@ -202,6 +215,52 @@ S100Sample s111_sample(
         record.values[1].push_back(direction);
       }
     }
+    sample.records.push_back(std::move(record));
+  }
+  return sample;
+}
+
+S100Sample s104_sample(const std::function<float(std::size_t, std::size_t, std::size_t)>& level) {
+  S100Sample sample{.product = "INT.IHO.S-104.2.0",
+                    .feature = "WaterLevel",
+                    .values = {{"waterLevelHeight", "metre", "-9999.00"}, {"waterLevelTrend", "", "0"}},
+                    .west = -50.05,
+                    .south = 46.95,
+                    .step = 0.1,
+                    .columns = 3,
+                    .rows = 2,
+                    .records = {}};
+  sample.file_numbers["verticalCS"] = 6499.0;           // heights upwards, metres
+  sample.file_numbers["verticalCoordinateBase"] = 2.0;  // above the vertical datum
+  sample.file_numbers["verticalDatum"] = 23.0;          // the lowest astronomical tide
+  sample.file_numbers["verticalDatumReference"] = 1.0;
+  for (std::size_t time = 0; time < 2; ++time) {
+    S100Sample::Record record{time == 0 ? "20260111T000000Z" : "20260111T002000Z", {{}, {}}};
+    for (std::size_t row = 0; row < sample.rows; ++row) {
+      for (std::size_t column = 0; column < sample.columns; ++column) {
+        record.values[0].push_back(level(column, row, time));
+        record.values[1].push_back(3.0F);  // steady
+      }
+    }
+    sample.records.push_back(std::move(record));
+  }
+  return sample;
+}
+
+S100Sample s104_stations() {
+  S100Sample sample = s104_sample([](std::size_t, std::size_t, std::size_t) { return 0.0F; });
+  sample.feature_numbers["dataCodingFormat"] = 8.0;
+  sample.places = {{-52.7, 47.56}, {-53.4, 47.8}};
+  sample.records.clear();
+  for (const char* const name : {"St. John's", "Long Cove"}) {
+    S100Sample::Record record{"", {{}, {}}};
+    for (int time = 0; time < 4; ++time) {  // 0.5, 0.7, 0.9, 1.1 m, and a metre more at the second
+      record.values[0].push_back(0.5F + 0.2F * static_cast<float>(time) +
+                                 (sample.records.empty() ? 0.0F : 1.0F));
+      record.values[1].push_back(2.0F);  // increasing
+    }
+    record.texts = {{"stationName", name}, {"startDateTime", "20260111T000000Z"}};
+    record.numbers = {{"timeIntervalIndex", 1.0}, {"timeRecordInterval", 1200.0}};
     sample.records.push_back(std::move(record));
   }
   return sample;

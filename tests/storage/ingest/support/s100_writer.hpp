@@ -17,8 +17,11 @@ struct S100Sample {
     std::string fill;
   };
   struct Record {
-    std::string time;
-    std::vector<std::vector<float>> values;  // by value, each [row][column]
+    std::string time;                        // empty: none
+    std::vector<std::vector<float>> values;  // by value, each [row][column]; of a station [time]
+    std::map<std::string, std::string> texts{};
+    std::map<std::string, double> numbers{};
+    std::vector<std::string> times{};  // of a station, beside its values; empty: none
   };
 
   std::string product;
@@ -48,6 +51,14 @@ struct S100Sample {
 /// degrees towards.
 [[nodiscard]] S100Sample s111_sample(
     const std::function<std::pair<float, float>(std::size_t, std::size_t, std::size_t)>& current);
+
+/// Water levels over 3 x 2 nodes off Newfoundland above the lowest astronomical tide, 20 minutes apart, every value by
+/// `level(column, row, time)` in metres.
+[[nodiscard]] S100Sample s104_sample(
+    const std::function<float(std::size_t, std::size_t, std::size_t)>& level);
+
+/// The same levels at two fixed stations, a record for each station.
+[[nodiscard]] S100Sample s104_stations();
 
 /// Depths over 3 x 2 nodes, each with the same uncertainty.
 [[nodiscard]] S100Sample s102_sample(const std::vector<float>& depths_m, float uncertainty_m);

@@ -77,6 +77,8 @@ ALTER TABLE dataset DROP COLUMN outdated;
 INSERT INTO first_dataset SELECT * FROM dataset;
 DROP TABLE tide_constant;
 DROP TABLE tide_station;
+DROP TABLE water_level_station;
+DROP TABLE water_level;
 DROP TABLE dataset;
 ALTER TABLE first_dataset RENAME TO dataset;
 DROP TABLE zone;

@@ -5,7 +5,8 @@
 namespace floeplan::repository {
 
 /// Goes on from a pragma; for stores that are older than currents at a model's own points.
-inline const std::string before_meshes = "; DROP TABLE mesh_block; DROP TABLE mesh";
+inline const std::string before_water_levels = "; DROP TABLE water_level_station; DROP TABLE water_level";
+inline const std::string before_meshes = "; DROP TABLE mesh_block; DROP TABLE mesh" + before_water_levels;
 
 /// For stores that are older than the polygons of ice charts.
 inline const std::string before_ice_charts =

@@ -54,7 +54,8 @@ TEST(ServerSchema, IsReachedFromTheFirstOneOfServers) {
   if (!sql::is_shared(db)) GTEST_SKIP() << "runs at a database server";
   sql::execute(
       db,
-      "DROP TABLE upload_block; DROP TABLE upload; DROP FUNCTION announce_job CASCADE; "
+      "DROP TABLE water_level_station; DROP TABLE water_level; DROP TABLE upload_block; DROP TABLE upload; "
+      "DROP FUNCTION announce_job CASCADE; "
       "DROP TABLE job_part; DROP FUNCTION remove_parts_of_job CASCADE; DROP FUNCTION announce_parts CASCADE");
   sql::set_schema_number(db, first_server_schema, first_server_schema);
   sql::execute(db, "ALTER TABLE store_schema DROP usable_from");

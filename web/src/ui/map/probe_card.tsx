@@ -6,7 +6,7 @@ import { openBergId } from '../../model/ice/berg_card';
 import { icebergs } from '../../model/field';
 import { chartInWords, drawnChart, eggAt, partInWords } from '../../model/ice/ice_chart';
 import { sizeTitle } from '../../model/ice/icebergs';
-import { bedInWords, currentInWords, iceInWords, isLeftOut, probed } from '../../model/probe';
+import { bedInWords, currentInWords, iceInWords, isLeftOut, levelInWords, probed } from '../../model/probe';
 import { settings } from '../../model/settings';
 import { shortTime } from '../../model/time';
 import { distance, none } from '../../model/units';
@@ -30,6 +30,7 @@ export function ProbeCard(): VNode | null {
 function Answer({ answer }: { answer: Probe }): VNode {
   const { reason, dataset_name, time_before, time_after } = answer.currents;
   const berg = answer.icebergs_within[0];
+  const level = levelInWords(answer);
   return (
     <dl>
       <dt>Time</dt>
@@ -42,6 +43,14 @@ function Answer({ answer }: { answer: Probe }): VNode {
         {reason && <small>{reason}</small>}
         {dataset_name && <Source name={dataset_name} from={time_before} to={time_after} />}
       </Told>
+      {level && <dt>Water level</dt>}
+      {level && (
+        <dd>
+          {level}
+          {answer.water_level.station && <small>{answer.water_level.station}</small>}
+          {answer.water_level.dataset_name && <Source name={answer.water_level.dataset_name} from={answer.water_level.time_before} to={answer.water_level.time_after} />}
+        </dd>
+      )}
       <dt>Sea ice</dt>
       <Told of="ice">
         {iceInWords(answer)}
