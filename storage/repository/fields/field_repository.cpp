@@ -371,13 +371,16 @@ std::optional<FieldRepository::Series> FieldRepository::load_series(const Datase
   const auto layout = find_layout(db_, id);
   const auto stored = shape(id);
   if (!layout || !stored || !stored->times_s) return std::nullopt;
-  const geo::BoundingBox here{place.lon_deg, place.lat_deg, place.lon_deg, place.lat_deg};
-  const auto window = window_around(stored->grid, here);
   const auto times = steps_around(*stored->times_s, period);
-  if (!window || !times) return std::nullopt;
+  if (!times) return std::nullopt;
+  // Whether the place lies in a cell of a model's own points, those cells say: the grid, where the values are used,
+  // may end a rounding error before them.
   if (layout->native)
     return Series{times->nodes, read_native_series(db_, *layout->native, place, variable, *times)};
 
+  const geo::BoundingBox here{place.lon_deg, place.lat_deg, place.lon_deg, place.lat_deg};
+  const auto window = window_around(stored->grid, here);
+  if (!window) return std::nullopt;
   const ocean::HorizontalGrid around{stored->grid.frame(), window->x.nodes, window->y.nodes};
   const auto position = around.locate(place);
   if (!position) return std::nullopt;
