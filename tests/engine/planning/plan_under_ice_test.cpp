@@ -106,7 +106,7 @@ TEST(PlanUnderIce, WarnsOfOpeningsThatKeepTheBoundAndMayBeMissed) {
                                    {0.0}, 1.0)};
   PlanRequest request = support::eastward_request();
   request.method = Method::direct;
-  const auto warns = testing::Contains(testing::HasSubstr("that the vehicle could miss"));
+  const auto warns = testing::Contains(testing::HasSubstr("only if the vehicle finds leads"));
 
   EXPECT_THAT(messages::sentences(planned(sea, request).messages), testing::Not(warns))
       << "there is no limit";
