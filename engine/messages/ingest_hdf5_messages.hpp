@@ -179,10 +179,10 @@ inline constexpr auto ingest_hdf5_kinds = std::to_array<Kind>({
      .hint = "Check the area and the period of your download"},
     {.code = "levels-too-large",
      .rank = Rank::caution,
-     .text = "the water levels have {times} times of {nodes} nodes, more values than this program accepts (4 "
-             "billion)",
+     .text = "the water levels have {times} times of {nodes} {nodes:place|places}. This program accepts "
+             "{most} values",
      .hint = "Cut out your area or period first",
-     .slots = {{{"times", 100000}, {"nodes", 100000}}}},
+     .slots = {{{"times", 100000}, {"nodes", 100000}, {"most", 4000000000}}}},
     {.code = "level-stations-unequal",
      .rank = Rank::caution,
      .text = "the S-104 file has {records} series for {places} stations, so it is damaged or was cut short",

@@ -286,6 +286,12 @@ bool CfTime::is_model_calendar() const {
 
 bool CfTime::is_julian() const { return calendar_ == CfCalendar::julian && !before_year_1_; }
 
+bool is_possible_time(double unix_s) {
+  constexpr double year_1800_s = -5364662400.0;
+  constexpr double year_2200_s = 7258118400.0;
+  return unix_s >= year_1800_s && unix_s < year_2200_s;
+}
+
 Checked<core::UtcTime> CfTime::at(double value) const {
   const std::string quoted = number(value, 15) + " " + text_;
   if (!std::isfinite(value)) return refuse(messages::ingest_time_message<"step-without-time">(quoted));
@@ -308,10 +314,7 @@ Checked<core::UtcTime> CfTime::at(double value) const {
     seconds = *day_number(CfCalendar::proleptic_gregorian, date) * day_s + (seconds - day * day_s);
   }
 
-  constexpr double year_1800_s = -5364662400.0;
-  constexpr double year_2200_s = 7258118400.0;
-  if (seconds < year_1800_s || seconds >= year_2200_s)
-    return refuse(messages::ingest_time_message<"time-out-of-range">(quoted));
+  if (!is_possible_time(seconds)) return refuse(messages::ingest_time_message<"time-out-of-range">(quoted));
   return core::from_unix_seconds(seconds);
 }
 

@@ -8,6 +8,10 @@
 
 namespace floeplan::ingest {
 
+/// Whether seconds since 1970-01-01T00:00:00Z lie within the years 1800 to 2199; false for NaN. Chosen: data of no sea are
+/// older, and no forecast reaches further.
+[[nodiscard]] bool is_possible_time(double unix_s);
+
 /// Calendars of the CF conventions, section 4.4.1.
 enum class CfCalendar { standard, proleptic_gregorian, julian, no_leap, all_leap, days_360 };
 

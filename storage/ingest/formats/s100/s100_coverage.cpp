@@ -142,6 +142,7 @@ Checked<std::vector<Hdf5Group>> records_in(const Hdf5Group& area) {
 }
 
 /// The triangles of a mesh, if it has any. Triangles with the same corner twice have no area and are dropped.
+/// Errors  a corner that is none of the places; no triangle has an area
 Checked<std::vector<std::array<std::uint32_t, 3>>> triangles_in(const Hdf5Group& positioning,
                                                                 std::size_t places) {
   constexpr const char* name = "triangles";
@@ -161,6 +162,7 @@ Checked<std::vector<std::array<std::uint32_t, 3>>> triangles_in(const Hdf5Group&
     if (triangle[0] != triangle[1] && triangle[1] != triangle[2] && triangle[2] != triangle[0])
       triangles.push_back(triangle);
   }
+  if (triangles.empty()) return refuse(messages::ingest_hdf5_message<"s-places-without-area">());
   return triangles;
 }
 

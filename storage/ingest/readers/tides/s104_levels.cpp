@@ -11,11 +11,13 @@
 
 #include "engine/messages/ingest_grid_messages.hpp"
 #include "engine/messages/ingest_hdf5_messages.hpp"
+#include "engine/messages/ingest_time_messages.hpp"
 #include "engine/ocean/grids/mesh_lattice.hpp"
 #include "engine/ocean/grids/mesh_sampling.hpp"
 #include "storage/ingest/common/grid_limits.hpp"
 #include "storage/ingest/formats/s100/s100_coverage.hpp"
 #include "storage/ingest/grids/scattered_mesh.hpp"
+#include "storage/ingest/notation/cf_time.hpp"
 #include "storage/ingest/notation/cf_units.hpp"
 #include "storage/ingest/notation/text.hpp"
 #include "storage/ingest/readers/tides/tide_readers.hpp"
@@ -31,7 +33,8 @@ using repository::WaterLevelStation;
 constexpr const char* level_feature = "WaterLevel";
 constexpr const char* level_name = "waterLevelHeight";
 constexpr const char* level_time_name = "waterLevelTime";
-constexpr double highest_level_m = 99.99;  // S-104 edition 2.0.0, table 10-3, both ways
+constexpr double highest_level_m = 99.99;          // S-104 edition 2.0.0, table 10-3, both ways
+constexpr std::size_t longest_series = 1'000'000;  // chosen: two years, minute by minute
 
 /// Words for the codes of verticalDatum, from 1 on.
 /// Source  IHO S-104 edition 2.0.0, table 12-8; S-100 edition 5.2.0, part 17
@@ -199,7 +202,7 @@ Checked<void> write_levels(const LevelField& field, const core::ProgressCallback
 Checked<PreparedDataset> prepare_levels(LevelField field, const core::ProgressCallback& progress) {
   const std::size_t times = field.times.nodes.size();
   if (times > max_grid_values / field.points())
-    return refuse(messages::ingest_hdf5_message<"levels-too-large">(times, field.points()));
+    return refuse(messages::ingest_hdf5_message<"levels-too-large">(times, field.points(), max_grid_values));
   LevelSurvey survey;
   for (std::size_t time = 0; time < times; ++time) {
     const auto heights_m = field.read(time);
@@ -282,8 +285,8 @@ Checked<AxisNodes> times_of_station(const Hdf5Group& area, const Hdf5Group& reco
     const auto start = group.text("startDateTime");
     return start ? start : group.text("dateTimeOfFirstRecord");
   };
-  const auto stated = first_text(record) ? first_text(record) : first_text(area);
-  const auto start = s100_time(stated.value_or(""));
+  const std::string stated = (first_text(record) ? first_text(record) : first_text(area)).value_or("");
+  const auto start = s100_time(stated);
   const auto own_step_s = record.number("timeRecordInterval");
   const double step_s = (own_step_s ? own_step_s : area.number("timeRecordInterval")).value_or(0.0);
   const bool uniform = record.number("timeIntervalIndex").value_or(1.0) != 0.0;
@@ -291,6 +294,9 @@ Checked<AxisNodes> times_of_station(const Hdf5Group& area, const Hdf5Group& reco
   if (uniform && start && step_s > 0.0) {
     for (std::size_t i = 0; i < count; ++i)
       times_s.push_back(core::unix_seconds(*start) + step_s * static_cast<double>(i));
+    if (!times_s.empty() && !is_possible_time(times_s.back()))
+      return refuse(messages::ingest_time_message<"time-out-of-range">(
+          std::to_string(count - 1) + " steps of " + number(step_s) + " s after " + stated));
     return sorted_nodes("timeRecordInterval", std::move(times_s));
   }
   const auto table = record.table("values");
@@ -315,10 +321,14 @@ Checked<std::vector<WaterLevelStation>> stations_one_by_one_in(const S100Points&
   if (levels.records.size() != levels.places.size())
     return refuse(
         messages::ingest_hdf5_message<"level-stations-unequal">(levels.records.size(), levels.places.size()));
+  const std::size_t most =
+      std::min(longest_series, max_grid_points / std::max<std::size_t>(1, levels.places.size()));
   std::vector<WaterLevelStation> stations;
   for (std::size_t i = 0; i < levels.places.size(); ++i) {
     auto heights = levels.read_station(i, level_name);
     if (!heights) return refuse(heights.error());
+    if (heights->size() > most)
+      return refuse(messages::ingest_hdf5_message<"levels-too-large">(heights->size(), 1, most));
     scale(*heights, unit_m);
     const auto times = times_of_station(levels.area, levels.records[i], heights->size());
     if (!times) return refuse(times.error());
@@ -336,8 +346,8 @@ Checked<std::vector<WaterLevelStation>> stations_by_time_in(const S100Points& le
   const auto times = s100_times(levels.records);
   if (!times) return refuse(times.error());
   if (times->nodes.size() > max_grid_points / levels.places.size())
-    return refuse(
-        messages::ingest_hdf5_message<"levels-too-large">(times->nodes.size(), levels.places.size()));
+    return refuse(messages::ingest_hdf5_message<"levels-too-large">(times->nodes.size(), levels.places.size(),
+                                                                    max_grid_points));
   std::vector<WaterLevelStation> stations;
   for (const geo::LonLat place : levels.places) stations.push_back({"", place, times->nodes, {}});
   for (const std::size_t record : times->source) {
