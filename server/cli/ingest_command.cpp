@@ -1,6 +1,5 @@
 #include <iostream>
 #include <memory>
-#include <stdexcept>
 
 #include "api/service/ingest_service.hpp"
 #include "engine/core/utc_text.hpp"
@@ -38,31 +37,12 @@ void complain_of(const ingest::IngestReport& report) {
              report.file + ": technical cause, for a report of this fault: " + report.technical_cause);
 }
 
-/// A count of the items of a dataset, with their noun: "1 sighting", "276480 grid nodes".
-std::string counted(repository::DatasetKind kind, std::int64_t count) {
-  const auto noun = [kind]() -> std::string {
-    switch (kind) {
-      case repository::DatasetKind::bathymetry:
-      case repository::DatasetKind::currents:
-      case repository::DatasetKind::wind:
-      case repository::DatasetKind::ice: return "grid node";
-      case repository::DatasetKind::icebergs: return "sighting";
-      case repository::DatasetKind::coastline: return "polygon";
-      case repository::DatasetKind::tides: return "place";
-      case repository::DatasetKind::zones: return "zone";
-      case repository::DatasetKind::glider_tracks: return "point";
-    }
-    throw std::logic_error{"DatasetKind without a noun"};
-  };
-  return std::to_string(count) + ' ' + noun() + (count == 1 ? "" : "s");
-}
-
 void print_report(const ingest::IngestReport& report) {
   std::cout << service::status_name(report.status) << "  " << report.file;
   if (report.dataset) {
     const repository::Dataset& dataset = *report.dataset;
     std::cout << "  " << repository::kind_name(dataset.kind) << "  " << dataset.id.value << "  "
-              << counted(dataset.kind, dataset.rows_accepted) << " accepted";
+              << repository::rows_text(dataset.kind, dataset.rows_accepted) << " accepted";
     if (dataset.rows_refused > 0) std::cout << ", " << dataset.rows_refused << " refused";
   }
   std::cout << '\n';

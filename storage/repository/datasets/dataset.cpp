@@ -11,31 +11,41 @@
 namespace floeplan::repository {
 namespace {
 
-constexpr std::array names{std::pair{DatasetKind::bathymetry, "bathymetry"},
-                           std::pair{DatasetKind::currents, "currents"},
-                           std::pair{DatasetKind::wind, "wind"},
-                           std::pair{DatasetKind::ice, "ice"},
-                           std::pair{DatasetKind::icebergs, "icebergs"},
-                           std::pair{DatasetKind::coastline, "coastline"},
-                           std::pair{DatasetKind::tides, "tides"},
-                           std::pair{DatasetKind::water_levels, "water-levels"},
-                           std::pair{DatasetKind::zones, "zones"},
-                           std::pair{DatasetKind::glider_tracks, "glider-tracks"}};
+struct KindWords {
+  DatasetKind kind;
+  const char* name;
+  const char* row;
+};
+
+constexpr std::array kind_words{KindWords{DatasetKind::bathymetry, "bathymetry", "grid node"},
+                                KindWords{DatasetKind::currents, "currents", "grid node"},
+                                KindWords{DatasetKind::wind, "wind", "grid node"},
+                                KindWords{DatasetKind::ice, "ice", "grid node"},
+                                KindWords{DatasetKind::icebergs, "icebergs", "sighting"},
+                                KindWords{DatasetKind::coastline, "coastline", "polygon"},
+                                KindWords{DatasetKind::tides, "tides", "place"},
+                                KindWords{DatasetKind::water_levels, "water-levels", "place"},
+                                KindWords{DatasetKind::zones, "zones", "zone"},
+                                KindWords{DatasetKind::glider_tracks, "glider-tracks", "point"}};
+
+const KindWords& words_of(DatasetKind kind) {
+  const auto found = std::ranges::find(kind_words, kind, &KindWords::kind);
+  if (found == kind_words.end()) throw std::logic_error{"DatasetKind without words"};
+  return *found;
+}
 
 }  // namespace
 
-std::string kind_name(DatasetKind kind) {
-  for (const auto& [candidate, name] : names) {
-    if (candidate == kind) return name;
-  }
-  throw std::logic_error{"DatasetKind without a name"};
+std::string kind_name(DatasetKind kind) { return words_of(kind).name; }
+
+std::string rows_text(DatasetKind kind, std::int64_t count) {
+  return std::to_string(count) + ' ' + words_of(kind).row + (count == 1 ? "" : "s");
 }
 
 std::optional<DatasetKind> parse_kind(const std::string& name) {
-  for (const auto& [kind, candidate] : names) {
-    if (name == candidate) return kind;
-  }
-  return std::nullopt;
+  const auto found = std::ranges::find(kind_words, name, &KindWords::name);
+  if (found == kind_words.end()) return std::nullopt;
+  return found->kind;
 }
 
 bool has_steps(DatasetKind kind) {

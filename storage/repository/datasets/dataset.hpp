@@ -27,6 +27,8 @@ enum class DatasetKind {
 
 [[nodiscard]] std::string kind_name(DatasetKind kind);
 [[nodiscard]] std::optional<DatasetKind> parse_kind(const std::string& name);
+/// A count of rows of a dataset, in words: "1 sighting", "276480 grid nodes".
+[[nodiscard]] std::string rows_text(DatasetKind kind, std::int64_t count);
 
 /// Whether data of the kind are fields at time steps.
 [[nodiscard]] bool has_steps(DatasetKind kind);

@@ -112,12 +112,15 @@ TEST(DatasetRepository, KeepsNothingOfAnIngestionThatDidNotFinish) {
   EXPECT_EQ(IcebergRepository{db}.count({}), 0);
 }
 
-TEST(DatasetKind, HasANameThatLeadsBackToIt) {
-  for (const auto kind :
-       {DatasetKind::bathymetry, DatasetKind::currents, DatasetKind::icebergs, DatasetKind::coastline}) {
+TEST(DatasetKind, HasANameThatLeadsBackToItAndAWordForItsRows) {
+  for (const auto kind : {DatasetKind::bathymetry, DatasetKind::currents, DatasetKind::wind, DatasetKind::ice,
+                          DatasetKind::icebergs, DatasetKind::coastline, DatasetKind::tides,
+                          DatasetKind::water_levels, DatasetKind::zones, DatasetKind::glider_tracks}) {
     EXPECT_EQ(parse_kind(kind_name(kind)), kind);
+    EXPECT_EQ(rows_text(kind, 2), rows_text(kind, 1).replace(0, 1, "2") + "s");
   }
   EXPECT_EQ(parse_kind("weather"), std::nullopt);
+  EXPECT_EQ(rows_text(DatasetKind::icebergs, 1), "1 sighting");
 }
 
 /// The sentences of earlier versions; a store keeps them as they were.
