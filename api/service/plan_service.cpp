@@ -10,6 +10,7 @@
 #include "api/codec/documents/departure_document.hpp"
 #include "api/codec/documents/plan_document.hpp"
 #include "api/service/coverage_checks.hpp"
+#include "api/service/low_water.hpp"
 #include "engine/core/utc_text.hpp"
 #include "engine/messages/fault.hpp"
 #include "engine/messages/plan_messages.hpp"
@@ -77,7 +78,12 @@ std::vector<GivenPlace> given_places(const planning::PlanRequest& request) {
   return places;
 }
 
-void add_remarks(planning::Plan& plan, const std::vector<std::string>& remarks) {
+/// Adds what no planner knows: the water levels on the plan's route, and the remarks of its inputs.
+void add_messages(sql::Connection& db, const ocean::Environment& environment,
+                  const vehicle::GliderProfile& vehicle, const std::vector<std::string>& remarks,
+                  planning::Plan& plan) {
+  if (auto caution = low_water_caution(db, environment, vehicle, plan))
+    plan.messages.push_back(std::move(*caution));
   for (const std::string& remark : remarks) plan.messages.push_back(messages::plan_message<"remark">(remark));
 }
 
@@ -113,15 +119,16 @@ json keep(sql::Connection& db, const codec::PlanInputs& inputs, const planning::
 
 /// Stores each alternative as a separate plan.
 /// Returns  their entries for the document of the main plan
-json keep_alternatives(sql::Connection& db, const codec::PlanInputs& inputs,
-                       std::vector<planning::Alternative>& alternatives, core::UtcTime now) {
+json keep_alternatives(sql::Connection& db, const ocean::Environment& environment,
+                       const codec::PlanInputs& inputs, std::vector<planning::Alternative>& alternatives,
+                       core::UtcTime now) {
   json list = json::array();
   for (planning::Alternative& alternative : alternatives) {
     codec::PlanInputs own = inputs;
     own.request = alternative.request;
     own.name =
         (inputs.name.empty() ? "" : inputs.name + ", ") + "alternative " + std::to_string(list.size() + 1);
-    add_remarks(alternative.plan, inputs.warnings);
+    add_messages(db, environment, own.request.vehicle, inputs.warnings, alternative.plan);
     list.push_back(codec::alternative_json(alternative, keep(db, own, alternative.plan, now)));
   }
   return list;
@@ -182,11 +189,11 @@ tl::expected<json, core::Violations> plan_route_document(sql::Connection& db, co
         planning::find_alternatives(*environment, request, *plan, stop, of_alternatives, executor);
     if (!alternatives) return codec::infeasible_document(alternatives.error(), *environment);
     if (alternatives->better) plan = std::move(*alternatives->better);
-    besides["alternatives"] = keep_alternatives(db, inputs, alternatives->found, now);
+    besides["alternatives"] = keep_alternatives(db, *environment, inputs, alternatives->found, now);
     if (alternatives->fewer) plan->messages.push_back(*alternatives->fewer);
   }
   plan->search.duration = watch.elapsed();
-  add_remarks(*plan, inputs.warnings);
+  add_messages(db, *environment, request.vehicle, inputs.warnings, *plan);
   return keep(db, inputs, *plan, now, besides);
 }
 
@@ -216,7 +223,7 @@ tl::expected<json, core::Violations> evaluate_route_document(sql::Connection& db
   auto plan = planning::evaluate_route(*ground, inputs.route, inputs.request, stop);
   if (!plan) return codec::infeasible_document(plan.error(), ground->environment());
   plan->search.duration = watch.elapsed();
-  add_remarks(*plan, inputs.warnings);
+  add_messages(db, ground->environment(), inputs.request.vehicle, inputs.warnings, *plan);
   json document = codec::plan_document(*plan, "", inputs.name);
   document["sightings"] = sightings_json(inputs.data, plan->departure);
   return document;

@@ -128,6 +128,21 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
      .text = "the fastest route has waypoints without an escape route. This route takes longer, but it "
              "passes more places to surface and has an escape route from every waypoint"},
 
+    // The sea bed.
+    {.code = "low-water-at-bed",
+     .rank = Rank::caution,
+     .text = "at {time} the water falls to {fall_m:.1f} m below its datum ({datum}), as the water levels "
+             "\"{levels}\" say. "
+             "If the bathymetry counts from this datum, the dives of this plan reach {below_m:.1f} m below "
+             "the sea bed",
+     .hint = "Keep the vehicle further from the bed (--altimeter-margin {margin_m:.0f})",
+     .slots = {{{"time", "2027-01-12T18:00:00Z"},
+                {"fall_m", 12.4},
+                {"datum", "mean sea level"},
+                {"levels", "bay levels"},
+                {"below_m", 2.4},
+                {"margin_m", 13.0}}}},
+
     // Icebergs.
     {.code = "sightings-too-old-at-departure",
      .rank = Rank::danger,
