@@ -20,7 +20,7 @@ double eastward(double from_deg, double to_deg) {
 
 std::string degrees_text(double degrees, char positive, char negative) {
   std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.4g %c", std::abs(degrees), degrees < 0.0 ? negative : positive);
+  std::snprintf(text.data(), text.size(), "%.4g° %c", std::abs(degrees), degrees < 0.0 ? negative : positive);
   return text.data();
 }
 

@@ -33,12 +33,13 @@ inline constexpr auto export_kinds = std::to_array<Kind>({
      .slots = {{{"ignored", 2}}}},
     {.code = "clear-in-newest-data",
      .rank = Rank::note,
-     .text = "The data have changed since the plan was made. The plan is still clear in the newest data."},
+     .text = "The data have changed since the plan was made. In the newest data, no leg of the plan "
+             "is closed."},
     {.code = "not-checked-in-data",
      .rank = Rank::caution,
      .text = "The plan could not be checked in the stored data, because {why}",
      .hint = "Ingest these data, and check again.",
-     .slots = {{{"why", "no stored dataset reaches 60 W to 58 W, 69 N to 70 N"}}}},
+     .slots = {{{"why", "no stored dataset reaches 60° W to 58° W, 69° N to 70° N"}}}},
     {.code = "not-checked-by-this-version",
      .rank = Rank::caution,
      .text = "Another version stored the plan, so it could not be checked in newer data",
@@ -183,8 +184,8 @@ inline constexpr auto export_kinds = std::to_array<Kind>({
      .slots = {{{"wait_h", 2.7}, {"waypoint", 4}, {"format", "gpx"}, {"release", "2027-01-12T18:00:00Z"}}}},
     {.code = "beyond-utm",
      .rank = Rank::caution,
-     .text = "The plan goes beyond 84 N or 80 S. The vehicle navigates in UTM metres, which are not defined "
-             "there",
+     .text = "The plan goes beyond 84° N or 80° S. The vehicle navigates in UTM metres, which are not "
+             "defined there",
      .hint = "Ask the vendor before the flight."},
     {.code = "thruster-not-in-files",
      .rank = Rank::caution,
@@ -278,12 +279,12 @@ inline constexpr auto export_kinds = std::to_array<Kind>({
      .text =
          "Iceberg {iceberg} was seen within {away_km:.0f} km of the safe place {place}, and may drift there",
      .hint = "Make sure that the safe place stays clear.",
-     .slots = {{{"iceberg", "B-17"}, {"away_km", 3.0}, {"place", "69.2000 N 53.2000 W"}}}},
+     .slots = {{{"iceberg", "B-17"}, {"away_km", 3.0}, {"place", "-53.2000, 69.2000"}}}},
     {.code = "safe-place-unknown",
      .rank = Rank::caution,
      .text = "Data on {unknown} at the safe place {place} are missing for part or all of the plan",
      .hint = "Make sure that the water there is open and deep enough.",
-     .slots = {{{"unknown", "the ice"}, {"place", "69.2000 N 53.2000 W"}}}},
+     .slots = {{{"unknown", "the ice"}, {"place", "-53.2000, 69.2000"}}}},
 
     // The yo.
     {.code = "yo-above-plan",
@@ -337,7 +338,7 @@ inline constexpr auto export_kinds = std::to_array<Kind>({
              "again with a smaller dive depth.",
      .slots = {{{"dive_m", 200.0},
                 {"bed_m", 120.0},
-                {"place", "69.2000 N 53.2000 W"},
+                {"place", "-53.2000, 69.2000"},
                 {"waypoint", 3},
                 {"planned_m", 100.0}}}},
     {.code = "no-science-file",

@@ -184,10 +184,10 @@ inline constexpr auto ingest_area_kinds = std::to_array<Kind>({
     {.code = "gshhg-damaged",
      .rank = Rank::caution,
      .text = "{file} {fault}",
-     .slots =
-         {{{"file", "binned_GSHHS_f.nc"},
-           {"fault",
-            "must be a GSHHG shoreline as GMT bins it; it has no array Embedded_node_levels_in_a_bin"}}}},
+     .slots = {{{"file", "binned_GSHHS_f.nc"},
+                {"fault",
+                 "must be a GSHHG shoreline in the binned format of GMT; it has no array "
+                 "Embedded_node_levels_in_a_bin"}}}},
     // Reference systems.
     {.code = "crs-not-convertible",
      .rank = Rank::caution,

@@ -250,14 +250,14 @@ inline constexpr auto ingest_current_kinds = std::to_array<Kind>({
      .hint = "Give both files of the same run and interval, or fort.64 alone"},
     {.code = "adcirc-line-unreadable",
      .rank = Rank::caution,
-     .text =
-         "line {line} of an ADCIRC file is \"{words}\", but {expected} was expected, so the file is damaged",
+     .text = "line {line} of an ADCIRC file is \"{words}\" instead of {expected}, so the file is "
+             "damaged",
      .hint = "Copy or download it again",
      .slots = {{{"line", 120}, {"words", "12 -9.5"}, {"expected", "a node and its elevation"}}}},
     {.code = "adcirc-file-cut-short",
      .rank = Rank::caution,
-     .text = "an ADCIRC file ends before the end of line {line}, where {expected} was expected, so it was "
-             "cut short",
+     .text = "an ADCIRC file ends before the end of line {line}, which must hold {expected}, so it "
+             "was cut short",
      .hint = "Copy or download it again",
      .slots = {{{"line", 120}, {"expected", "a node and its elevation"}}}},
     {.code = "adcirc-not-in-degrees",
@@ -267,7 +267,7 @@ inline constexpr auto ingest_current_kinds = std::to_array<Kind>({
      .slots = {{{"x", "512000"}, {"y", "5900000"}}}},
     {.code = "adcirc-zeros-are-dry",
      .rank = Rank::note,
-     .text = "where its current is exactly zero at a time, a node counts as dry at that time",
+     .text = "a node counts as dry at each time at which its current is exactly zero",
      .hint = "Give the elevations of the same run, fort.63, too, because they say which nodes are dry"},
     // Wind.
     {.code = "wind-at-other-height",

@@ -59,7 +59,7 @@ inline constexpr auto ingest_feature_kinds = std::to_array<Kind>({
     {.code = "ice-gml-edition-not-read",
      .rank = Rank::caution,
      .text = "this is an S-411 chart of edition 1.2 or later, which does not say whether longitude or "
-             "latitude comes first in its corners. A wrong guess would move the ice",
+             "latitude comes first in the corners of its areas. A wrong guess would move the ice",
      .hint =
          "Ask its producer for edition 1.1 (IceDataSet), or for the same chart as a shapefile (SIGRID-3)"},
     {.code = "ice-gml-corners-unreadable",

@@ -74,8 +74,8 @@ inline constexpr auto ingest_grib_kinds = std::to_array<Kind>({
      .hint = "Convert it first, for example with wgrib2 -new_grid or cdo remapbil"},
     {.code = "grib-earth-of-other-size",
      .rank = Rank::caution,
-     .text = "the GRIB file states an Earth with half axes of {major} and {minor} m, which are not those of "
-             "the Earth. The places of the data are therefore not known",
+     .text = "the GRIB file states an Earth with semi-axes of {major} and {minor} m, which are not "
+             "those of the Earth. The places of the data are therefore not known",
      .hint = "Ask the producer",
      .slots = {{{"major", "1000"}, {"minor", "1000"}}}},
     {.code = "grib-figure-unknown",

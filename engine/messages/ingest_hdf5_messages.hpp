@@ -190,16 +190,14 @@ inline constexpr auto ingest_hdf5_kinds = std::to_array<Kind>({
      .slots = {{{"records", 3}, {"places", 4}}}},
     {.code = "levels-above-datum",
      .rank = Rank::note,
-     .text = "the water levels are heights above their datum ({datum}). probe shows them. Plans do not count "
-             "on them: "
-             "they take depths from the bathymetry alone",
+     .text = "the water levels are heights above their datum ({datum}). `floeplan probe` shows them. "
+             "Plans ignore them and take depths from the bathymetry alone",
      .slots = {{{"datum", "lowest astronomical tide"}}}},
     {.code = "levels-below-datum",
      .rank = Rank::caution,
-     .text = "the water falls to {fall} m below its datum ({datum}). Depths that count from this datum are "
-             "then too great by as "
-             "much, and plans do not take it away from them",
-     .hint = "Keep the vehicle this much further from the bed (--altimeter-margin)",
+     .text = "the water falls to {fall} m below its datum ({datum}). Depths that count from this "
+             "datum are then too great by as much, and plans do not correct them",
+     .hint = "Keep the vehicle farther from the sea bed by at least this amount (--altimeter-margin)",
      .slots = {{{"fall", "0.62"}, {"datum", "mean lower low water"}}}},
 });
 

@@ -27,7 +27,7 @@ inline constexpr auto ingest_tide_kinds = std::to_array<Kind>({
      .slots = {{{"dimension", "nx"}, {"size", 90000000}}}},
     {.code = "tide-too-large",
      .rank = Rank::caution,
-     .text = "the tide has more nodes than this program accepts ({most})",
+     .text = "the tide model has more nodes than this program accepts ({most})",
      .hint = "Cut out your area first",
      .slots = {{{"most", 20000000}}}},
     {.code = "tide-projection-unknown",
@@ -57,12 +57,12 @@ inline constexpr auto ingest_tide_kinds = std::to_array<Kind>({
      .slots = {{{"constituent", "M2"}}}},
     {.code = "constituents-unknown",
      .rank = Rank::caution,
-     .text = "the constituents {constituents} are not known",
+     .text = "the program knows no constituent of the file ({constituents})",
      .hint = "Check their names",
      .slots = {{{"constituents", "XX7"}}}},
     {.code = "constituents-left-out",
      .rank = Rank::caution,
-     .text = "these constituents are not known and were left out: {constituents}",
+     .text = "unknown constituents were left out: {constituents}",
      .hint = "Check their names",
      .slots = {{{"constituents", "XX7"}}}},
     {.code = "tide-component-missing",
@@ -136,7 +136,7 @@ inline constexpr auto ingest_tide_kinds = std::to_array<Kind>({
      .slots = {{{"constituent", "M2"}, {"stated", "30"}, {"known", "28.9841042"}}}},
     {.code = "station-constituents-left-out",
      .rank = Rank::caution,
-     .text = "these constituents are not known and were left out: {constituents} (together {metres} m)",
+     .text = "unknown constituents were left out: {constituents} (together {metres} m)",
      .hint = "Check their names",
      .slots = {{{"constituents", "XX7"}, {"metres", "0.02"}}}},
     {.code = "station-without-constituents",
@@ -233,8 +233,8 @@ inline constexpr auto ingest_tide_kinds = std::to_array<Kind>({
      .slots = {{{"currents", 2626}, {"differences", 4453}, {"incomplete", 0}}}},
     {.code = "tcd-constituents-left-out",
      .rank = Rank::caution,
-     .text = "these constituents are not known, or have another speed in this program, and were left "
-             "out: {constituents}. The largest has an amplitude of {metres} m, at {station}",
+     .text = "constituents that are unknown, or have another speed in this program, were left out: "
+             "{constituents}. The largest has an amplitude of {metres} m, at {station}",
      .slots = {{{"constituents", "SA-IOS"}, {"metres", "0.02"}, {"station", "Victoria"}}}},
 });
 

@@ -32,7 +32,7 @@ inline constexpr auto ingest_track_kinds = std::to_array<Kind>({
     {.code = "impossible-currents-left-out",
      .rank = Rank::note,
      .text = "{currents} {currents:depth-averaged current was|depth-averaged currents were} left out, "
-             "because {currents:it is|they are} over 10 m/s or not on the globe",
+             "because {currents:it is|they are} over 10 m/s or not at a place on the globe",
      .slots = {{{"currents", 3}}}},
     {.code = "track-too-fast",
      .rank = Rank::caution,
@@ -85,8 +85,9 @@ inline constexpr auto ingest_track_kinds = std::to_array<Kind>({
      .slots = {{{"first", "u"}, {"second", "v"}}}},
     {.code = "currents-of-vehicle-axes",
      .rank = Rank::caution,
-     .text = "\"{variable}\" comes from {source}, as it says, which a Slocum logs in its own axes",
-     .hint = "If its producer did not turn it to east and north, give the vehicle's own log instead",
+     .text = "\"{variable}\" states {source} as its source, which a Slocum logs in its own axes",
+     .hint = "If the producer did not turn these currents to east and north, give the vehicle's own "
+             "log instead",
      .slots = {{{"variable", "u"}, {"source", "m_final_water_vx"}}}},
     {.code = "track-currents-without-time",
      .rank = Rank::note,

@@ -78,8 +78,8 @@ inline constexpr auto ingest_velocity_kinds = std::to_array<Kind>({
                 {"other", "the northward component"}}}},
     {.code = "counts-the-other-way",
      .rank = Rank::caution,
-     .text = "\"{variable}\" counts {direction} by its long name (\"{long_name}\"), which is the reverse of "
-             "the direction that this program reads. The drift would be turned round",
+     .text = "\"{variable}\" counts {direction}, as its long name (\"{long_name}\") says, but this "
+             "program reads components towards east and north. The drift would be reversed",
      .hint = "Ask for components towards east and north",
      .slots = {{{"variable", "uo"}, {"direction", "westwards"}, {"long_name", "westward velocity"}}}},
     {.code = "not-the-current",

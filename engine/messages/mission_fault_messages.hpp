@@ -61,13 +61,14 @@ inline constexpr auto mission_fault_kinds = std::to_array<Kind>({
 
     // Lists that end near ice and icebergs.
     {.code = "plan-ends-near-ice",
-     .text = "is the end of the plan, only {room}. The vehicle surfaces there; extend the plan until it ends "
-             "more than {radius_m:.0f} m beyond the ice",
+     .text = "is the end of the plan, only {room}. The vehicle surfaces there, perhaps below the ice; "
+             "extend the plan until it ends more than {radius_m:.0f} m beyond the ice",
      .slots = {{{"room", "300 m beyond the ice (waypoint radius 500 m, position error 1600 m)"},
                 {"radius_m", 500.0}}}},
     {.code = "list-ends-near-ice",
-     .text = "is the end of a list, only {room}. The vehicle surfaces there; extend the plan until it goes "
-             "more than {radius_m:.0f} m beyond the ice, or use fewer waypoints before it",
+     .text = "is the end of a list, only {room}. The vehicle surfaces there, perhaps below the ice; "
+             "extend the plan until it goes more than {radius_m:.0f} m beyond the ice, or use fewer "
+             "waypoints before it",
      .slots = {{{"room", "300 m beyond the ice (waypoint radius 500 m, position error 1600 m)"},
                 {"radius_m", 500.0}}}},
     {.code = "plan-ends-below-ice",
@@ -92,32 +93,32 @@ inline constexpr auto mission_fault_kinds = std::to_array<Kind>({
     {.code = "safe-place-on-land",
      .text = "must be open water to which the vehicle can recover, but {place} is on land",
      .hint = "choose another place",
-     .slots = {{{"place", "69.2000 N 53.2000 W"}}}},
+     .slots = {{{"place", "-53.2000, 69.2000"}}}},
     {.code = "safe-place-too-shallow",
      .text = "must be open water to which the vehicle can recover, but {place} has only {bed_m:.0f} m of "
              "water, and the vehicle needs {needed_m:.0f} m",
      .hint = "choose another place",
-     .slots = {{{"place", "69.2000 N 53.2000 W"}, {"bed_m", 12.0}, {"needed_m", 20.0}}}},
+     .slots = {{{"place", "-53.2000, 69.2000"}, {"bed_m", 12.0}, {"needed_m", 20.0}}}},
     {.code = "safe-place-in-ice",
      .text = "must be open water to which the vehicle can recover, but {place} has {ice_pct:.0f} % of "
              "ice during the plan, and the vehicle surfaces in at most {most_pct:.0f} %",
      .hint = "choose another place",
-     .slots = {{{"place", "69.2000 N 53.2000 W"}, {"ice_pct", 40.0}, {"most_pct", 10.0}}}},
+     .slots = {{{"place", "-53.2000, 69.2000"}, {"ice_pct", 40.0}, {"most_pct", 10.0}}}},
     {.code = "safe-place-in-zone",
      .text = "must be open water to which the vehicle can recover, but {place} lies in the no-go area "
              "{zone}",
      .hint = "choose another place",
-     .slots = {{{"place", "69.2000 N 53.2000 W"}, {"zone", "Harbour"}}}},
+     .slots = {{{"place", "-53.2000, 69.2000"}, {"zone", "Harbour"}}}},
     {.code = "safe-place-at-iceberg",
      .text = "must be open water to which the vehicle can recover, but iceberg {iceberg} was last seen "
              "at {place}",
      .hint = "choose another place",
-     .slots = {{{"place", "69.2000 N 53.2000 W"}, {"iceberg", "B-17"}}}},
+     .slots = {{{"place", "-53.2000, 69.2000"}, {"iceberg", "B-17"}}}},
     {.code = "safe-place-too-far",
      .text = "must be open water to which the vehicle can recover, but {place} is {away_km:.0f} km from "
              "the plan, farther than the rest of the battery carries the vehicle",
      .hint = "choose a nearer place",
-     .slots = {{{"place", "69.2000 N 53.2000 W"}, {"away_km", 240.0}}}},
+     .slots = {{{"place", "-53.2000, 69.2000"}, {"away_km", 240.0}}}},
     {.code = "wrong-iceberg-depth", .text = "must be more than 0 m and less than the dive depth"},
     {.code = "iceberg-depth-too-small",
      .text = "must be at least {keel_m:.0f} m, the depth of the deepest keel that the plan passes under",
@@ -125,30 +126,30 @@ inline constexpr auto mission_fault_kinds = std::to_array<Kind>({
 
     // The yo.
     {.code = "no-room-for-yo",
-     .text = "leaves the yo no room. It dives only to {dive_m:.0f} m, but its upper turn must be at "
-             "least at {turn}",
+     .text = "leaves the yo no room. It dives only to {dive_m:.0f} m, but its upper turn must be no "
+             "shallower than {turn}",
      .hint = "plan again with deeper dives (--dive-depth)",
      .slots = {{{"dive_m", 80.0}, {"turn", "75 m because of ice or icebergs"}}}},
     {.code = "water-too-shallow-for-yo",
-     .text = "lead over water of only {bed_m:.0f} m at {place}, before waypoint {waypoint}. The mission has "
-             "one yo for all legs. Its upper turn must be at least at {turn}, so it needs {needed_m:.0f} m "
-             "of water. Plan again with via points round this water, or with a minimum working depth "
-             "(minimum_working_depth_m) of {needed_m:.0f} m for the vehicle; below ice that depth counts "
-             "from the upper turn",
+     .text = "lead over water of only {bed_m:.0f} m at {place}, before waypoint {waypoint}. The "
+             "mission has one yo for all legs. Its upper turn must be no shallower than {turn}, so it "
+             "needs {needed_m:.0f} m of water. Plan again with via points round this water, or raise "
+             "the minimum working depth of the vehicle to {needed_m:.0f} m (minimum_working_depth_m), "
+             "which below ice counts from the upper turn",
      .slots = {{{"bed_m", 60.0},
-                {"place", "69.2000 N 53.2000 W"},
+                {"place", "-53.2000, 69.2000"},
                 {"waypoint", 3},
                 {"turn", "40 m"},
                 {"needed_m", 75.0}}}},
     {.code = "water-too-shallow-for-yo-below-ice",
-     .text = "lead over water of only {bed_m:.0f} m at {place}, before waypoint {waypoint}. The mission has "
-             "one yo for all legs. Its upper turn must be at least at {turn}, so it needs {needed_m:.0f} m "
-             "of water. Plan again with via points round this water, or with a minimum working depth "
-             "(minimum_working_depth_m) of {needed_m:.0f} m for the vehicle; below ice that depth counts "
-             "from the upper turn. Or fly two plans, one over this water and one below the ice, each with a "
-             "yo of its own",
+     .text = "lead over water of only {bed_m:.0f} m at {place}, before waypoint {waypoint}. The "
+             "mission has one yo for all legs. Its upper turn must be no shallower than {turn}, so it "
+             "needs {needed_m:.0f} m of water. Plan again with via points round this water, or raise "
+             "the minimum working depth of the vehicle to {needed_m:.0f} m (minimum_working_depth_m), "
+             "which below ice counts from the upper turn. Or fly two plans, one over this water and "
+             "one below the ice, each with a yo of its own",
      .slots = {{{"bed_m", 60.0},
-                {"place", "69.2000 N 53.2000 W"},
+                {"place", "-53.2000, 69.2000"},
                 {"waypoint", 3},
                 {"turn", "40 m because of ice or icebergs"},
                 {"needed_m", 75.0}}}},
@@ -157,7 +158,7 @@ inline constexpr auto mission_fault_kinds = std::to_array<Kind>({
      .slots = {{{"how",
                  "by the one yo of the mission, which turns between 90 m and 196 m on the whole "
                  "route. Before waypoint 3, the route comes too close to an iceberg"},
-                {"instead", "plan again with a climb_to_m of 90"}}}},
+                {"instead", "plan again with an upper turn at 90 m (--climb-to 90)"}}}},
 
     // Seagliders.
     {.code = "too-deep-for-seaglider", .text = "must be at most 1100 m, because no Seaglider dives deeper"},

@@ -87,14 +87,19 @@ inline constexpr auto refusal_kinds = std::to_array<Kind>({
      .hint = "Move {place}, ingest bathymetry that covers it, or plan without depths (--bathymetry none)",
      .slots = {{{"place", "the goal"},
                 {"where",
-                 "12 km east of the stored bathymetry (in this area: 54 W to 50 W, 68 N to 70 N)"}}}},
+                 "12 km east of the stored bathymetry (area of the data near here: 54° W to 50° W, 68° N to "
+                 "70° N)"}}}},
     {.code = "place-outside-depths-and-currents",
      .rank = Rank::caution,
      .text = "{place} lies {where}, and {beside}",
      .hint = "Move {place}, or ingest bathymetry and currents that cover it",
      .slots = {{{"place", "the goal"},
-                {"where", "12 km east of the stored bathymetry (in this area: 54 W to 50 W, 68 N to 70 N)"},
-                {"beside", "12 km east of the stored currents (in this area: 54 W to 50 W, 68 N to 70 N)"}}}},
+                {"where",
+                 "12 km east of the stored bathymetry (area of the data near here: 54° W to 50° W, 68° N to "
+                 "70° N)"},
+                {"beside",
+                 "12 km east of the stored currents (area of the data near here: 54° W to 50° W, 68° N to "
+                 "70° N)"}}}},
 
     // Refusals by a search. {closed} and {help}: text and hint of the row for what closes most edges.
     {.code = "no-way-to-goal",
@@ -188,12 +193,14 @@ inline constexpr auto refusal_kinds = std::to_array<Kind>({
      .text = "{place} lies {where}",
      .hint = "Move {place} into the water of the currents, or ingest currents that cover it",
      .slots = {{{"place", "the goal"},
-                {"where", "12 km east of the stored currents (in this area: 54 W to 50 W, 68 N to 70 N)"}}}},
+                {"where",
+                 "12 km east of the stored currents (area of the data near here: 54° W to 50° W, 68° N to "
+                 "70° N)"}}}},
     {.code = "data-end-on-the-way",
      .rank = Rank::note,
      .text = "beyond this place the stored {data} have no values. In this area they cover {area}",
      .hint = "Ingest {data} that cover the whole route, or choose a start and a goal within this area",
-     .slots = {{{"data", "currents"}, {"area", "54 W to 50 W, 68 N to 70 N"}}}},
+     .slots = {{{"data", "currents"}, {"area", "54° W to 50° W, 68° N to 70° N"}}}},
     {.code = "water-ends-on-the-way",
      .rank = Rank::note,
      .text = "beyond this place the stored {data} have no values, because the water of the model ends there",
@@ -268,11 +275,11 @@ inline constexpr auto phrase_kinds = std::to_array<Kind>({
     {.code = "for-good", .rank = Rank::note, .text = ", for the whole forecast"},
     {.code = "outside-of-data",
      .rank = Rank::note,
-     .text = "{distance_km:.3g} km {direction} of the stored {data} (in this area: {area})",
+     .text = "{distance_km:.3g} km {direction} of the stored {data} (area of the data near here: {area})",
      .slots = {{{"distance_km", 12.0},
                 {"direction", "east"},
                 {"data", "bathymetry"},
-                {"area", "54 W to 50 W, 68 N to 70 N"}}}},
+                {"area", "54° W to 50° W, 68° N to 70° N"}}}},
     {.code = "away-from-water-of-data",
      .rank = Rank::note,
      .text = "{distance_km:.3g} km {direction} of the nearest water of the stored {data}, which is at "
@@ -285,11 +292,11 @@ inline constexpr auto phrase_kinds = std::to_array<Kind>({
     {.code = "where-data-have-no-water",
      .rank = Rank::note,
      .text = "where the stored {data} have no water: there is none from {area}",
-     .slots = {{{"data", "currents"}, {"area", "54 W to 50 W, 68 N to 70 N"}}}},
+     .slots = {{{"data", "currents"}, {"area", "54° W to 50° W, 68° N to 70° N"}}}},
     {.code = "in-gap-of-data",
      .rank = Rank::note,
-     .text = "in a gap of the stored {data} (in this area: {area})",
-     .slots = {{{"data", "bathymetry"}, {"area", "54 W to 50 W, 68 N to 70 N"}}}},
+     .text = "in a gap of the stored {data} (area of the data near here: {area})",
+     .slots = {{{"data", "bathymetry"}, {"area", "54° W to 50° W, 68° N to 70° N"}}}},
 });
 
 template <Code code, class... Given>

@@ -288,8 +288,8 @@ inline constexpr auto request_kinds = std::to_array<Kind>({
      .text = "{dataset} covers {covered}, which does not overlap the area {area}",
      .hint = "choose a dataset of this area",
      .slots = {{{"dataset", "Disko (ice-1)"},
-                {"covered", "55 W to 51 W, 68 N to 70 N"},
-                {"area", "20 W to 18 W, 74 N to 75 N"}}}},
+                {"covered", "55° W to 51° W, 68° N to 70° N"},
+                {"area", "20° W to 18° W, 74° N to 75° N"}}}},
     {.code = "no-node-near",
      .text = "{dataset} has no node near the area; choose another dataset",
      .slots = {{{"dataset", "Disko (currents-1)"}}}},
@@ -320,13 +320,14 @@ inline constexpr auto request_kinds = std::to_array<Kind>({
     {.code = "no-currents-reach",
      .text = "no stored dataset reaches {area}, because {elsewhere}. Check that longitude comes first and "
              "latitude second, ingest currents for this water, or plan in still water (--currents none)",
-     .slots = {{{"area", "20 W to 18 W, 74 N to 75 N"},
-                {"elsewhere", "Disko (currents-1) covers 55 W to 51 W, 68 N to 70 N"}}}},
+     .slots = {{{"area", "20° W to 18° W, 74° N to 75° N"},
+                {"elsewhere", "Disko (currents-1) covers 55° W to 51° W, 68° N to 70° N"}}}},
     {.code = "no-depths-reach",
      .text = "no stored dataset reaches {area}, because the stored bathymetry covers {elsewhere}. Check that "
              "longitude comes first and latitude second, ingest bathymetry for this water, or plan without "
              "depths (--bathymetry none)",
-     .slots = {{{"area", "20 W to 18 W, 74 N to 75 N"}, {"elsewhere", "55 W to 51 W, 68 N to 70 N"}}}},
+     .slots = {{{"area", "20° W to 18° W, 74° N to 75° N"},
+                {"elsewhere", "55° W to 51° W, 68° N to 70° N"}}}},
     {.code = "coordinates-swapped",
      .text = "lies outside all stored currents and bathymetry, but inside them with longitude and latitude "
              "exchanged; did you mean {flag}={lon_deg:.7g},{lat_deg:.7g}?",
@@ -346,8 +347,9 @@ inline constexpr auto request_kinds = std::to_array<Kind>({
      .text = "must be \"add\" (tidal currents added to currents that are without tides) or \"only\" (tidal "
              "currents alone) when tides are used"},
     {.code = "no-tidal-currents",
-     .text = "{dataset} holds no tidal currents here, only {what}; name a tide model with the current "
-             "components u and v",
+     .text =
+         "{dataset} holds only {what} in this area, no tidal currents; name a tide model with the current "
+         "components u and v",
      .slots = {{{"dataset", "Disko (tides-1)"}, {"what", "elevations"}}}},
     {.code = "no-tide-model-here",
      .text = "no stored tide model has currents in this area; ingest one, or leave tides out"},

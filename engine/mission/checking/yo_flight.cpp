@@ -43,11 +43,14 @@ std::string text_of(const planning::Plan& plan, const YoDives& yo) {
 /// How to get a plan that one yo flies exactly as planned.
 std::string way_out(const planning::Plan& plan, const vehicle::GliderProfile& vehicle, const YoDives& yo) {
   std::vector<std::string> changes;
-  if (yo.climb_to > vehicle.climb_to) changes.push_back("a climb_to_m of " + whole(yo.climb_to.value));
+  if (yo.climb_to > vehicle.climb_to)
+    changes.push_back("an upper turn at " + whole(yo.climb_to.value) + " m (--climb-to " +
+                      whole(yo.climb_to.value) + ")");
   if (yo.dive_depth < core::Metres{std::floor(vehicle.dive_depth.value)})
-    changes.push_back("a dive_depth_m of " + whole(yo.dive_depth.value));
+    changes.push_back("a dive depth of " + whole(yo.dive_depth.value) + " m (--dive-depth " +
+                      whole(yo.dive_depth.value) + ")");
   if (leaves_thruster_off(plan, yo))
-    changes.emplace_back("the thruster on all legs or on none (--thruster on, --thruster off)");
+    changes.emplace_back("the thruster on all legs (--thruster on) or on none (--thruster off)");
   std::string text = "plan again";
   for (std::size_t i = 0; i < changes.size(); ++i) text += (i == 0 ? " with " : " and ") + changes[i];
   return text;

@@ -61,7 +61,7 @@ TEST_F(CoverageChecks, RefuseAnAreaBeyondAllDepthsUnlessNoneAreStoredOrWanted) {
   const auto refused = depths_elsewhere(db_, query_);
   ASSERT_THAT(refused, SizeIs(1));
   EXPECT_EQ(refused[0].field, "/bathymetry");
-  EXPECT_THAT(refused[0].rule, HasSubstr("covers 55 W to 50 W, 68 N to 70 N"));
+  EXPECT_THAT(refused[0].rule, HasSubstr("covers 55° W to 50° W, 68° N to 70° N"));
 
   query_.bathymetry.how = repository::DatasetChoice::How::none;
   EXPECT_THAT(depths_elsewhere(db_, query_), IsEmpty());

@@ -448,9 +448,9 @@ TEST(PlanRoute, NamesTheDepthsThatAGoalLiesOutside) {
   const auto found = plan({.bathymetry = depths}, request_beyond_the_data());
 
   ASSERT_FALSE(found.has_value());
-  EXPECT_EQ(
-      found.error().explanation(),
-      "the goal lies 12 km east of the stored bathymetry (in this area: 56 W to 50 W, 67.5 N to 70.5 N)");
+  EXPECT_EQ(found.error().explanation(),
+            "the goal lies 12 km east of the stored bathymetry (area of the data near here: 56° W to 50° W, "
+            "67.5° N to 70.5° N)");
   EXPECT_NE(found.error().suggestion().find("--bathymetry none"), std::string::npos);
 }
 
@@ -512,7 +512,7 @@ TEST(PlanRoute, TellsTheNearestWaterOfTheCurrentsToAGoalWithinTheirBox) {
   EXPECT_THAT(
       found.error().explanation(),
       testing::HasSubstr("east of the nearest water of the stored currents, which is at -53.0000, 69.0000"));
-  EXPECT_THAT(found.error().explanation(), testing::Not(testing::HasSubstr("in this area")));
+  EXPECT_THAT(found.error().explanation(), testing::Not(testing::HasSubstr("area of the data")));
   EXPECT_EQ(found.error().suggestion(),
             "Move the goal into the water of the currents, or ingest currents that cover it");
 }

@@ -81,7 +81,7 @@ TEST(Help, SaysWhatWasMeant) {
   const Program program;
   const Outcome topic = program.run({"help", "planing"});
   EXPECT_EQ(topic.exit_code, 2);
-  EXPECT_THAT(topic.err, HasSubstr("there is no topic planing; did you mean planning?"));
+  EXPECT_THAT(topic.err, HasSubstr("there is no topic \"planing\"; did you mean \"planning\"?"));
   const Outcome command = program.run({"paln"});
   EXPECT_EQ(command.exit_code, 2);
   EXPECT_THAT(command.err, HasSubstr("there is no command paln; did you mean plan?"));

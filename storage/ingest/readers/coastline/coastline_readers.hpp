@@ -17,7 +17,7 @@ namespace floeplan::ingest {
 ///          that is missing; a layer without a reference system, unless the options state one
 [[nodiscard]] Checked<PreparedDataset> read_coastline(GDALDataset& dataset, const IngestOptions& options);
 
-/// The land of the whole globe from a GSHHG shoreline as GMT bins it (see is_gshhg), as one coastline
+/// The land of the whole globe from a GSHHG shoreline in the binned format of GMT (see is_gshhg), as one coastline
 /// dataset. Reads the file once to check it and a second time to write it, in bands of latitude, so memory
 /// holds one band. Measured full resolution: 216 thousand polygons, 10.5 million corners, 15 s, 92 MB in the
 /// store

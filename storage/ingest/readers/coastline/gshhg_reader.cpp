@@ -218,7 +218,7 @@ class BinnedShoreline {
 };
 
 core::Violation refusal(const std::filesystem::path& file, const std::string& reason) {
-  return {file.filename().string(), "must be a GSHHG shoreline as GMT bins it; " + reason +
+  return {file.filename().string(), "must be a GSHHG shoreline in the binned format of GMT; " + reason +
                                         "; take binned_GSHHS_f.nc of the package gmt-gshhg-full"};
 }
 

@@ -66,7 +66,7 @@ TEST(YoFlight, IsRefusedWhereTheCurrentAtItsDepthsStopsTheVehicle) {
       ElementsAre(Field(&core::Violation::rule,
                         AllOf(HasSubstr("turns between 90 m and 180 m on the whole route"),
                               HasSubstr("on the whole route. Before waypoint 1, at "), HasSubstr("the current is too strong"),
-                              HasSubstr("plan again with a climb_to_m of 90")))));
+                              HasSubstr("plan again with an upper turn at 90 m (--climb-to 90)")))));
 }
 
 TEST(YoFlight, TellsTheTimesAndTheDrawThatAreNotThePlans) {
@@ -82,7 +82,7 @@ TEST(YoFlight, TellsTheTimesAndTheDrawThatAreNotThePlans) {
   EXPECT_GT(flown.travel_time(), 1.3 * plan.travel_time()) << "a sea in which it matters";
   EXPECT_THAT(flight.violations, IsEmpty());
   EXPECT_THAT(messages::sentences(flight.messages),
-              ElementsAre(AllOf(HasSubstr("h later than planned"), HasSubstr("climb_to_m of 90"))));
+              ElementsAre(AllOf(HasSubstr("h later than planned"), HasSubstr("--climb-to 90"))));
 }
 
 TEST(YoFlight, IsRefusedWhereItEmptiesTheBatteryThatCarriesThePlan) {

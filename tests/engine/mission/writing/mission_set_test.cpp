@@ -444,12 +444,13 @@ TEST(MissionSet, IsRefusedOverAShoalThatItsYoIsTooDeepFor) {
   const auto by_the_plan = write_mission_set(plan, options);
 
   ASSERT_FALSE(over_a_bank.has_value());
-  EXPECT_THAT(over_a_bank.error(),
-              ElementsAre(AllOf(
-                  Field(&core::Violation::field, "/waypoints"),
-                  Field(&core::Violation::rule,
-                        HasSubstr("water of only 30 m at -52.8000, 69.0000, before waypoint 1. The mission "
-                                  "has one yo for all legs. Its upper turn must be at least at 19 m")))));
+  EXPECT_THAT(
+      over_a_bank.error(),
+      ElementsAre(
+          AllOf(Field(&core::Violation::field, "/waypoints"),
+                Field(&core::Violation::rule,
+                      HasSubstr("water of only 30 m at -52.8000, 69.0000, before waypoint 1. The mission "
+                                "has one yo for all legs. Its upper turn must be no shallower than 19 m")))));
   ASSERT_TRUE(over_enough.has_value());
   EXPECT_THAT(messages::sentences(over_enough->messages), Not(Contains(HasSubstr("sea bed is unknown"))));
   ASSERT_FALSE(by_the_plan.has_value());

@@ -93,7 +93,7 @@ TEST_F(Tcd, LeavesOutWhatIsNoWaterLevelOfItsOwnAndSaysSo) {
   EXPECT_EQ(report_.dataset->rows_accepted, 1);
   EXPECT_EQ(report_.dataset->rows_refused, 3);
   EXPECT_THAT(words(report_), HasSubstr("1 of tidal currents, 1 given as differences"));
-  EXPECT_THAT(words(report_), HasSubstr("have another speed in this program, and were left out: SA-IOS"));
+  EXPECT_THAT(words(report_), HasSubstr("have another speed in this program, were left out: SA-IOS"));
 }
 
 TEST_F(Tcd, WithNoStationOfWaterLevelsIsRefused) {
