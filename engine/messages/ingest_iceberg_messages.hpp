@@ -78,8 +78,7 @@ inline constexpr auto ingest_iceberg_kinds = std::to_array<Kind>({
      .slots = {{{"fields", 3}, {"wanted", 9}, {"doubt", "; the file seems to be cut short"}}}},
     {.code = "iceberg-length-unusable",
      .rank = Rank::caution,
-     .text = "its column or attribute \"{field}\" holds \"{text}\", not a length between 0 and {most} "
-             "m",
+     .text = "its {field} is \"{text}\", not a length between 0 and {most} m",
      .hint = "correct it",
      .slots = {{{"field", "draft_m"}, {"text", "abc"}, {"most", "1000"}}}},
     {.code = "iceberg-year-or-number-missing",
@@ -129,8 +128,7 @@ inline constexpr auto ingest_iceberg_kinds = std::to_array<Kind>({
      .slots = {{{"size", "huge"}}}},
     {.code = "iceberg-time-unusable",
      .rank = Rank::caution,
-     .text = "its column or attribute \"{field}\" holds \"{text}\", not a time such as "
-             "2026-11-20T06:00:00Z{zone}",
+     .text = "its {field} is \"{text}\", not a time such as 2026-11-20T06:00:00Z{zone}",
      .slots = {{{"field", "observed"},
                 {"text", "yesterday"},
                 {"zone", " with its zone; in UTC, call the column time_utc"}}}},

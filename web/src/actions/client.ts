@@ -97,7 +97,7 @@ interface DriftQuery {
   as_of: string;
   until: string;
   choice: IcebergChoice;
-  currents: string | undefined; // undefined: the currents that a plan would take
+  currents: string | undefined; // undefined: the currents that a plan would use
 }
 
 export const drift = ({ box, choice, ...query }: DriftQuery, signal: AbortSignal): Promise<{ bergs: IcebergDrift[]; numberMatched: number }> =>
@@ -142,7 +142,7 @@ export const downloadAddress = (planId: string, format: ExportFormat, query: Exp
 export const briefAddress = (planId: string, safe: Position[]): string =>
   address(`/collections/plans/items/${encodeURIComponent(planId)}/mission.html`, { safe: safe.length > 0 ? pairs(safe) : undefined });
 
-/** The place to a decimetre. The datasets chosen count alone for their kinds. */
+/** Probes the place, rounded to a decimetre. For a kind with chosen datasets, only these are used. */
 export const probe = ([lon, lat]: Position, time: string, choice: Partial<IcebergChoice>): Promise<Probe> => {
   const { dataset, ...ages } = choiceOf({ datasets: undefined, max_sighting_age_days: undefined, departure: undefined, ...choice });
   return json(address('/probe', { lon: Number(lon.toFixed(6)), lat: Number(lat.toFixed(6)), time, ...ages, dataset: dataset === '' ? undefined : dataset }));

@@ -25,7 +25,7 @@ const leaving = new Map<string, { deletion: Deletion; timer: ReturnType<typeof s
 /** The stored plans without those that were deleted in this page. */
 export const withoutDeleted = (all: Plan[]): Plan[] => all.filter(({ plan_id }) => !leaving.has(plan_id));
 
-/** The same of simulations. */
+/** The stored simulations without those that were deleted in this page. */
 export const withoutDeletedSimulations = (all: SimulationSummary[]): SimulationSummary[] => all.filter(({ simulation_id }) => !leaving.has(simulation_id));
 
 const changesOf = (id: string): string => `deletion of ${id}`;

@@ -53,7 +53,7 @@ export function followDrift(): void {
           driftsLeftOut.value = answer.numberMatched - answer.bergs.length;
         },
         () => {
-          drifts.value = []; // asked again only after the sightings or the view have changed
+          drifts.value = []; // requested again only after the sightings or the view have changed
         },
       );
     });

@@ -20,7 +20,7 @@ export function faultsOf(error: unknown, nameOf: (place: string) => string = (pl
   return listed.length > 0 ? listed : [error.message];
 }
 
-/** The same in one line. */
+/** The faults of `faultsOf` in one line. */
 export const wordsOf = (error: unknown): string => faultsOf(error).join('; ');
 
 /**

@@ -25,8 +25,8 @@ export function profileOf(plan: Plan): Promise<ProfilePoint[]> {
 }
 
 /**
- * Datasets to probe: the plan's icebergs, and for every other kind its dataset if it used only one, as far as they are
- * stored. For joined runs the server chooses.
+ * Datasets to probe: the plan's icebergs, and for every other kind its dataset if it used only one. Datasets that are no longer stored are left out.
+ * For joined runs the server chooses.
  */
 function datasetsOf({ datasets: used }: Plan): string[] {
   const isAlone = (kind: string): boolean => used.filter((one) => one.kind === kind).length === 1;

@@ -82,7 +82,7 @@ export interface Waypoint {
   since_last_surfacing_s?: number | null;
   position_error_m?: number | null;
   least_upper_turn_m?: number | null;
-  leg_upper_turn_m?: number | null; // greatest depth on the leg; missing in plans of older servers
+  leg_upper_turn_m?: number | null; // deepest upper turn on the leg; missing in plans of older servers
   ice_free_before_m?: number | null; // length of the ice-free route up to here; missing in plans of older servers
   error_without_fix_m?: number | null;
   nearest_ice_m?: number | null; // only if there is ice within 200 km

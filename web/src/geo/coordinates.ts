@@ -33,8 +33,8 @@ export function editablePosition([lon, lat]: Position): string {
 }
 
 /**
- * A place to the centimetre, so that rounding does not move it back into what it was moved out of, written as the text that it replaces: decimal degrees where that has nothing but figures, otherwise degrees
- * and minutes.
+ * The text of a place to the centimetre: a place that was moved out of an obstacle must not be rounded back into it. Decimal degrees if `before`
+ * consists of figures alone, otherwise degrees and minutes.
  */
 export function exactPosition([lon, lat]: Position, before: string): string {
   if (/^[\d\s.,;+-]+$/.test(before)) return `${Number(lat.toFixed(7))}, ${Number(lon.toFixed(7))}`;
@@ -56,7 +56,10 @@ interface Angle {
   letter: string | undefined;
 }
 
-/** One angle: degrees, optional minutes and seconds, a sign or a letter of the compass. A text: why it is none, where more can be said. */
+/**
+ * Reads one angle: degrees, optional minutes and seconds, a sign or a letter of the compass. If it is no angle, returns the reason as a text, or
+ * undefined if none is known.
+ */
 function parseAngle(text: string): Angle | string | undefined {
   const letters = text.match(/[NSEW]/gi) ?? [];
   if (letters.length > 1) return undefined;

@@ -25,8 +25,8 @@ import { toMap } from './projections';
 import { StillLayer } from './still_layer';
 
 /**
- * Stored zones, and areas of the set-up and of the selected plan, hatched where they are closed; as outlines those that
- * the set-up does not use or that are not stored yet; and the tool that draws an area. Sides are geodesics.
+ * Stored zones, areas of the set-up and of the selected plan, and the tool that draws an area. Closed areas are hatched. Areas that the set-up does
+ * not use, or that are not stored yet, are outlines. Sides are geodesics.
  */
 export function areaLayer(): { layer: VectorLayer<VectorSource>; draw: Draw } {
   const source = new VectorSource();

@@ -147,7 +147,7 @@ function followProjection(map: Map): void {
   });
 }
 
-/** Corners and edges of a box, dense enough that its bulge in the projection is fitted too. */
+/** Places along the border of a box, dense enough that a border that is curved in the projection also fits into the view. */
 function cornersOf([west, south, east, north]: Box): Position[] {
   const width = east >= west ? east - west : east - west + 360;
   const places: Position[] = [];
@@ -162,7 +162,7 @@ const expectedLegend_px = { width: 216, height: 380 };
 
 /**
  * Width of the screen elements over the map's edges, clockwise from the top: tools on the left, and an unfolded legend
- * at the lower right. What is fitted comes to lie beside the legend or above it, where there is more room.
+ * at the lower right. Fitted places lie beside the legend or above it, where there is more room.
  */
 function coveredEdges_px(map: Map): [number, number, number, number] {
   const [width = 0, height = 0] = map.getSize() ?? [];

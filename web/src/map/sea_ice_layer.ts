@@ -94,8 +94,8 @@ interface Shapes {
 type Drawn = Omit<Shapes, 'figures'>;
 
 /**
- * Cache between frames: positions change with the view, values with the data, shapes with the clock. While the clock
- * plays, each frame computes a part of the next shapes, and the last complete ones are painted.
+ * What is kept between frames: positions change with the view, values with the data, shapes with the clock. While the clock plays, each frame
+ * computes a part of the next shapes, and the last complete ones are painted.
  */
 class Stand {
   private nodes: Nodes | undefined;

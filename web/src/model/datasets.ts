@@ -50,10 +50,10 @@ export function chosenAll(kind: PlanningKind): Dataset[] {
   return ids.flatMap((id) => candidates.find((dataset) => dataset.id === id) ?? []);
 }
 
-/** The first dataset of them, which the map shows. */
+/** The first dataset of `chosenAll`, which the map shows. */
 export const chosen = (kind: PlanningKind): Dataset | undefined => chosenAll(kind)[0];
 
-/** The datasets that the set-up names, of all kinds but icebergs, of which plans under way may name more. */
+/** The datasets that the set-up names, without those of icebergs: plans under way may name further ones. */
 export const namedDatasets = computed<string[]>(() =>
   kinds.flatMap((kind) => {
     const wish = draft.value[kind];
@@ -83,7 +83,7 @@ export function forgetMissing(): PlanningKind[] {
 export const chosenBathymetry = computed(() => chosen('bathymetry'));
 export const chosenCurrents = computed(() => chosen('currents'));
 export const chosenIcebergs = computed(() => chosenAll('icebergs'));
-/** The dataset with the newest sighting, of the chosen icebergs. */
+/** Of the chosen datasets of icebergs, the one with the newest sighting. */
 export const lastSighted = computed<Dataset | undefined>(() =>
   chosenIcebergs.value.reduce<Dataset | undefined>((newest, one) => ((one.time_end ?? '') > (newest?.time_end ?? '') ? one : (newest ?? one)), undefined),
 );

@@ -34,7 +34,7 @@ export const factorOf = (name: NumberField): number => fields[name]?.factor ?? 1
 /** Whether the table of request fields has the name. */
 export const isField = (name: string): boolean => name in fields;
 
-/** What the server takes where a request leaves the field out. Fields of the vehicle have the value of its profile. */
+/** The value that the server uses if a request leaves the field out. Fields of the vehicle have the value of its profile. */
 export const usualValue = (name: string): number | string | boolean | undefined => fields[name]?.usual;
 
 /** Whether a switch is on by default. */
@@ -67,7 +67,7 @@ export const labelsOfFlags: Record<string, string> = Object.fromEntries(
 const ofConditions = new Set<string>(namesOfConditions.map((name) => name.split('.')[0] ?? ''));
 const ofReach = new Set<string>(namesOfReach);
 
-/** Whether a field of a plan's request is also one of a given route's. */
+/** Whether a field of a request for a plan is also a field of a request that evaluates a route. */
 export const isCondition = (name: string): boolean => ofConditions.has(name) && name !== 'name';
 
 /** Whether a request for isochrones has the field. */

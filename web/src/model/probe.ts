@@ -14,7 +14,7 @@ export const probed = signal<{ lon: number; lat: number; answer: Probe | undefin
 /** The last answer for the pointer, and where it was then. */
 export const readOut = signal<{ place: Position; answer: Probe } | undefined>(undefined);
 
-/** The datasets that the server is asked for; for a kind with none of them it takes those that a plan would take. */
+/** The datasets to probe. For a kind with none of them, the server uses those that a plan would use. */
 export const probedDatasets = computed<string[]>(() => [...namedDatasets.value, ...(icebergChoice.value?.datasets ?? [])]);
 
 /** Whether plans of the set-up, and therefore the map, do not use a kind of data. */

@@ -21,7 +21,7 @@ export function tell(text: string): void {
   }, notice_ms);
 }
 
-/** Text for screen readers, which they speak after what they are saying. */
+/** Text for screen readers. They speak it after their present text. */
 export const announcement = signal('');
 export const announce = (text: string): void => {
   announcement.value = text;

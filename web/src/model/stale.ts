@@ -39,7 +39,7 @@ function reachOf({ bbox: [west, south, east, north], kind }: Dataset): Box {
 
 /**
  * Datasets of the plan's area that were stored, or changed by hand, after the plan was made, of the kinds that it used. Zones and
- * icebergs close routes, so they count also where the plan used none.
+ * icebergs close routes, so they count even if the plan used none.
  */
 export function newerThan(plan: Plan, stored: Dataset[]): Dataset[] {
   const around = boxAround(routeOf(plan));

@@ -22,7 +22,7 @@ const changes = signal<Changes>({ past: [], future: [] });
 export const lastDone = computed(() => changes.value.past.at(-1));
 export const lastUndone = computed(() => changes.value.future[0]);
 
-/** Whether typing continues the change before. It ends when something is undone or redone. */
+/** Whether further typing belongs to the last change. Undo and redo end this. */
 let typingIsOpen = false;
 
 /** Adds a change that was just made. Changes that had been undone are forgotten. */
@@ -35,7 +35,7 @@ export function remember(change: Change): void {
   typingIsOpen = true;
 }
 
-/** The end of the changes that need the server. They run one after the other. */
+/** Settles when the changes that need the server have ended. They run one after the other. */
 let pending: Promise<void> | undefined;
 
 function turn(way: () => void | Promise<void>): void {

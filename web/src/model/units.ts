@@ -51,7 +51,7 @@ export const depth = (metres: number | null | undefined): string => (present(met
 export const course = (degrees: number | null | undefined): string =>
   present(degrees) ? `${String(Math.round(degrees) % 360).padStart(3, '0')}°` : none;
 
-/** `greatest_j`: as of `distance`. */
+/** `greatest_j`: as in `distance`. */
 export const energy = (joules: number | null | undefined, greatest_j?: number): string =>
   present(joules) ? ((greatest_j ?? joules) >= 1e6 ? `${(joules / 1e6).toFixed(2)} MJ` : `${(joules / 1e3).toFixed(0)} kJ`) : none;
 

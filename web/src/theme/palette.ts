@@ -133,7 +133,7 @@ export const seaIceHatches: readonly [Hatch, Hatch, Hatch, Hatch] = [
   { tile_px: 12, marks: 'M13 -1 L-1 13 M1 -1 L-1 1 M13 11 L11 13', width: 1 },
 ];
 
-/** Where the data have no value: the dash that stands for it in tables, too. */
+/** The hatch where the data have no value: a dash, as in tables. */
 export const unknownHatch: Hatch = { tile_px: 18, marks: 'M2 5 h5 M11 14 h5', width: 1 };
 
 /** Dashes of the outlines of an ice chart. */

@@ -9,7 +9,7 @@ import { tool, view } from '../model/view';
 
 const focusedMap = (): Element | null => document.querySelector('#map:focus-visible');
 
-/** After a tool was chosen by key, moves the focus to the map, whose middle is then its place. */
+/** After a tool was chosen by key, moves the focus to the map. The tool then takes the place in the middle of the map. */
 export function goOnByKey(event: MouseEvent): void {
   const isByKey = event.detail === 0;
   if (isByKey && tool.peek() !== 'pan') document.getElementById('map')?.focus();

@@ -16,10 +16,13 @@ export const openBergId = signal<string | undefined>(undefined);
 
 export const openBerg = computed<IcebergFeature | undefined>(() => icebergs.value.find(({ properties }) => properties.berg_id === openBergId.value));
 
-/** How much of the sea is shown around an iceberg, as a multiple of what plans keep clear of it. */
+/** How much of the sea is shown around an iceberg, as a multiple of its keep-out distance. */
 const aroundIt = 4;
 
-/** Opens its card and shows it on the map; where it is not in view, the plan, which passes near it, until its sighting is read. */
+/**
+ * Opens the card of an iceberg and shows it on the map. If it is not in view, the map shows the plan, which passes near it, until the sighting is
+ * read.
+ */
 export function showIceberg(berg_id: string, plan: Plan): void {
   openBergId.value = berg_id;
   probed.value = undefined;
@@ -32,12 +35,12 @@ export function showIceberg(berg_id: string, plan: Plan): void {
   ask({ do: 'fit', places: circle(coordinates, aroundIt * keepOutRadii_m(berg.properties).uncertain_m) });
 }
 
-/** How many sightings of it the server holds; undefined until it has answered. */
+/** The number of sightings of the iceberg on the server; undefined until it has answered. */
 export const bergHistory = signal<{ berg_id: string; sightings: number; from: string } | undefined>(undefined);
 
 const openDrift = computed(() => drifts.value.find(({ berg_id }) => berg_id === openBergId.value));
 
-/** Where it is expected at the clock's time; undefined outside the time of its forecast. */
+/** Where the iceberg is expected at the clock's time; undefined outside the period of its forecast. */
 export const expectedNow = computed<Expected | undefined>(() => openDrift.value && expectedAt(openDrift.value, time_ms.value));
 
 export const forecastEnd_ms = computed<number | undefined>(() => {
@@ -45,5 +48,5 @@ export const forecastEnd_ms = computed<number | undefined>(() => {
   return end === undefined ? undefined : Date.parse(end);
 });
 
-/** The dataset that its sighting comes from. */
+/** The dataset that holds the sighting of the iceberg. */
 export const bergSource = computed<string | undefined>(() => datasets.value?.find(({ id }) => id === openBerg.value?.properties.dataset_id)?.name);

@@ -58,16 +58,16 @@ const keepOutRules = computed(() => {
   return { margin_m: metresIn(draft.value.margin_m, margin_m.usual), most_m: metresIn(draft.value.max_inflation_m, max_inflation_m.usual) };
 });
 
-/** The most of a position error that counts in the keep-out distance. */
+/** The largest position error that counts in the keep-out distance. */
 export const allowance_m = computed(() => keepOutRules.value.most_m);
 
-/** How far plans keep from where a berg is expected: hull, margin and the error that its position may have by then, up to the set-up's bound. */
+/** The keep-out distance from the expected position of an iceberg: hull, margin and position error, the error up to the bound of the set-up. */
 export function keepOut_m(safe_length_m: number, error_m: number): number {
   const { margin_m, most_m } = keepOutRules.value;
   return safe_length_m / 2 + margin_m + Math.min(error_m, most_m);
 }
 
-/** Radii around a sighting: hull and margin alone, and with the error of its position as far as it counts, which plans keep clear of. */
+/** Radii around a sighting: hull and margin alone, and the keep-out distance, which adds the position error as far as it counts. */
 export function keepOutRadii_m({ safe_length_m, position_uncertainty_m }: IcebergProperties): { kept_m: number; uncertain_m: number } {
   return { kept_m: keepOut_m(safe_length_m, 0), uncertain_m: keepOut_m(safe_length_m, position_uncertainty_m ?? 0) };
 }

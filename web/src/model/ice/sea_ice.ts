@@ -41,7 +41,7 @@ export const heldSeaIceStep_ms = computed<number | undefined>(() => {
   return held && times[held.before];
 });
 
-/** Sets the clock to that step, and extends the period of the clock to it. */
+/** Sets the clock to the step nearest to its time, and extends the period of the clock to that step. */
 export function goToSeaIce(): void {
   const step_ms = nearestSeaIceStep_ms.peek();
   if (step_ms === undefined) return;

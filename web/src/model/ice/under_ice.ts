@@ -13,8 +13,8 @@ export interface Run {
 }
 
 /**
- * Divides a route into runs below ice and runs in open water, as few as possible. Each begins where the one before ends. Of plans of
- * older servers, which tell no stretches, whole legs are below ice.
+ * Divides a route into runs below ice and runs in open water, as few as possible. Each begins where the one before ends. Plans of older servers have
+ * no stretches: in them, whole legs are below ice.
  */
 export function runsOf({ waypoints, surfacing }: Plan): Run[] {
   const runs: Run[] = [];
@@ -43,7 +43,7 @@ const isSame = ([lon, lat]: Position, [otherLon, otherLat]: Position): boolean =
 
 /** Length of the route below ice or icebergs; null where nothing is known of it. */
 export const belowIce_m = ({ surfacing }: Plan): number | null => surfacing?.below_ice_m ?? null;
-/** Time on it, in seconds. */
+/** Time below ice or icebergs, in seconds; null where nothing is known of it. */
 export const belowIce_s = ({ surfacing }: Plan): number | null => surfacing?.below_ice_s ?? null;
 
 /** The number of waypoints where the vehicle may not surface; null if nothing is known about ice. */
@@ -61,7 +61,7 @@ export function deepestTurn_m({ waypoints }: Plan): number | null {
   return turns_m.length === 0 ? null : Math.max(...turns_m);
 }
 
-/** How deep dives turn, rounded down the water, as in the mission files and the brief. */
+/** The depth of an upper turn, rounded up to whole metres, as in the mission files and the brief. */
 export const turnFigure = (turn_m: number | null | undefined): string => (typeof turn_m === 'number' ? String(Math.ceil(turn_m)) : none);
 
 /** The text for a table cell: yes, no, or the dash if nothing is known about ice. */

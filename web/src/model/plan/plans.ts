@@ -22,7 +22,7 @@ export interface ShownPlan {
 const letters = 26;
 const letterOf = (place: number): string => String.fromCharCode(65 + (place % letters));
 
-/** The place in the alphabet of each plan that was on the map. A plan keeps it as long as it is listed, so its letter and colour, too. */
+/** The place in the alphabet of each plan that was on the map. A plan keeps its place, and therefore its letter and colour, as long as it is listed. */
 const places = new Map<string, number>();
 
 /** The first free letter; where there is none, that of a plan that is not on the map. */

@@ -14,7 +14,7 @@ export interface SettingRow {
   values: string[]; // one for each request, in their order
 }
 
-/** Told elsewhere in the comparison, or of no meaning for the route. */
+/** Settings that the comparison shows elsewhere, or that have no effect on the route. */
 const leftOut = new Set(['name', 'remarks', 'vehicle', 'profile', 'depart', 'depart_until', 'depart_step', 'alternatives', 'currents', 'ice', 'icebergs']);
 
 /**
@@ -40,10 +40,10 @@ function flat(inputs: PlanInputs): Map<string, unknown> {
 
 const isNumberField = (name: string): name is NumberField => (numberFields as readonly string[]).includes(name);
 
-/** A value in the words and the unit of the form; what a request leaves out is what the server takes then. */
+/** A value in the words and the unit of the form. If the request leaves it out, the value that the server uses. */
 function shown(name: string, value: unknown): string {
   const { unit, placeholder } = formOf(name);
-  const hasUnit = unit !== undefined && !/\d/.test(unit); // some tell the range beside the field
+  const hasUnit = unit !== undefined && !/\d/.test(unit); // some units state the range beside the field
   const withUnit = (text: string): string => (hasUnit && /^[\d.]/.test(text) ? `${text} ${unit}` : text);
   if (value === undefined || value === null) return placeholder ? withUnit(placeholder) : none;
   if (typeof value === 'boolean') return value ? 'yes' : 'no';

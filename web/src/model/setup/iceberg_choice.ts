@@ -66,9 +66,7 @@ export const shownIcebergs = computed<Dataset[]>(() => {
   return choice ? ofKind('icebergs').filter(({ id }) => !choice.datasets || choice.datasets.includes(id)) : [];
 });
 
-/**
- * The time up to which the set-up counts sightings; undefined: the clock's time, always so while a plan is under way.
- */
+/** The time up to which sightings count. Undefined: up to the clock's time, as always while a plan is under way. */
 export const knownAt_ms = computed(() => (underWay.value.length > 0 ? undefined : parseTime(draft.value.icebergs_as_of)));
 
 /** Describes the shown icebergs if they are not simply all recent ones; otherwise undefined. */

@@ -37,9 +37,9 @@ const kinds = ['currents', 'bathymetry', 'ice', 'icebergs', 'coastline'] as cons
 const several = new Set<string>(['currents', 'bathymetry', 'icebergs']);
 
 /**
- * The choice of data that gives a plan's own data again, and no data of a kind that the plan did not use. Two kinds are not named, and
- * the server joins them again: runs of one product, which named one by one would be members of an ensemble; and sightings as long as
- * none are newer, because a file without a sighting near the route cannot be named.
+ * The choice of data with which the server uses the data of the plan again, and none of a kind that the plan did not use. Two kinds of data are not
+ * named, so the server joins them again: runs of one product, because named runs would be members of an ensemble; and sightings if none are newer,
+ * because the server refuses a named file without a sighting near the route.
  */
 export function dataOf(plan: Plan, icebergs: PlanInputs['icebergs'] = 'newest'): Pick<PlanInputs, (typeof kinds)[number]> {
   const choiceOf = (kind: (typeof kinds)[number]): string | string[] => {

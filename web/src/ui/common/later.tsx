@@ -27,7 +27,7 @@ export function later<Props extends object>(fetchIt: () => Promise<ComponentType
   };
 }
 
-/** The same for a dialog; it stays closed if its code cannot be loaded. */
+/** A dialog whose code is loaded when it is first shown. It stays closed if the code cannot be loaded. */
 export const dialogLater = (fetchIt: () => Promise<ComponentType>): (() => VNode | null) => {
   const Dialog = later<object>(fetchIt, () => {
     dialog.value = undefined;

@@ -24,8 +24,8 @@ const others: [ExportFormat, string][] = [
 ];
 
 /**
- * The plan with those of its dangers that the pilot has confirmed. The dialog gives way while a safe place is picked on
- * the map, and does not ask for the same again.
+ * The plan and its dangers that the pilot has confirmed. The dialog closes while a safe place is picked on the map, and then does not ask for the
+ * same confirmation again.
  */
 const confirmed = signal<string | undefined>(undefined);
 
@@ -112,7 +112,7 @@ function Export({ plan }: { plan: Plan }): VNode {
 /** How long a text stays as it is before the server is asked. */
 const settled_ms = 300;
 
-/** The text once nobody has changed it for a moment, and at once when the function is called. */
+/** The text after it has stayed the same for a moment. The function returns it at once. */
 function useSettled(text: string): [string, () => void] {
   const [settled, setSettled] = useState(text);
   useEffect(() => {
@@ -122,7 +122,7 @@ function useSettled(text: string): [string, () => void] {
   return [settled, () => setSettled(text)];
 }
 
-/** What the newest data say of the plan takes the place of what was said of the same when it was made. */
+/** The messages to show at an export. A message about the newest data replaces the message with the same code from when the plan was made. */
 function toldAtExport(plan: Plan, preview: MissionPreview | undefined): Message[] {
   const newest = preview ? messagesOf(preview) : [];
   const codes = new Set(newest.map(({ code }) => code).filter((code) => code !== ''));
@@ -245,7 +245,7 @@ interface DownloadProps {
   title: string;
   accepted: boolean;
   closed: boolean; // dangers are not confirmed yet, or an option is wrong
-  refuse: (title: string, faults: string[]) => void; // told why the server writes no such file; nothing when it does
+  refuse: (title: string, faults: string[]) => void; // called with the reasons why the server does not write the file; none if it does
   primary?: boolean;
 }
 

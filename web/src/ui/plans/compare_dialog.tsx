@@ -19,7 +19,7 @@ interface Column {
   title: string;
   value: (plan: Plan) => number | null;
   text: Figure;
-  size?: Figure; // of a difference; if missing, as the value
+  size?: Figure; // the text of a difference; if missing, that of the value
 }
 
 /** A value as text; `greatest` of its column decides unit and decimals. */
@@ -57,7 +57,7 @@ function differenceOf({ text, size = text }: Column, value: number, base: number
   return size(difference, greatest) === size(0, greatest) ? '±0' : `${value < base ? '−' : '+'}${size(difference, greatest)}`;
 }
 
-/** Inputs and data of a plan as texts, which are equal or not. */
+/** Inputs and data of a plan as texts, which are compared. */
 const inputs: { title: string; words: (plan: Plan) => string }[] = [
   { title: 'Departure', words: (plan) => shortTime(Date.parse(plan.departure)) },
   { title: 'Vehicle', words: ({ vehicle }) => vehicles.value.find(({ name }) => name === vehicle)?.title ?? vehicle },

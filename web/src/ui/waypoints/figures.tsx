@@ -12,7 +12,7 @@ interface Figure {
   why?: (plan: Plan) => string; // tooltip
   value?: (plan: Plan) => number | null; // the value compared with that of the other plan
   difference?: (value: number) => string;
-  iceberg?: (plan: Plan) => string | null; // that the figure is of; a press shows it
+  iceberg?: (plan: Plan) => string | null; // the iceberg that the figure belongs to; a press shows it
 }
 
 const share = (value: number): string => `${(100 * value).toFixed(1)} %`;
