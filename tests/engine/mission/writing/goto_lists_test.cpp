@@ -172,7 +172,7 @@ TEST(GotoLists, WarnOfLongLegsPolesAndLongLists) {
   ASSERT_TRUE(lists.has_value());
   EXPECT_THAT(messages::sentences(lists->messages),
               ElementsAre(HasSubstr("the vendor documents only 8"), HasSubstr("leg to waypoint 2 is 168 km"),
-                          HasSubstr("beyond 84 N")));
+                          HasSubstr("beyond 84° N")));
 }
 
 TEST(GotoLists, ReportEveryFaultAtOnce) {

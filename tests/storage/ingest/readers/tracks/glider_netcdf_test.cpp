@@ -233,7 +233,7 @@ TEST_F(GliderNetcdf, ThatNamesAVehiclesSensorAsTheSourceOfItsCurrentsIsDoubted) 
 
   ASSERT_EQ(track.currents.size(), 1U);
   expect_current(track.currents[0], 0.2, -0.1);
-  EXPECT_THAT(warnings_, HasSubstr("comes from m_final_water_vx"));
+  EXPECT_THAT(warnings_, HasSubstr("m_final_water_vx as its source"));
 }
 
 TEST_F(GliderNetcdf, HasNoCurrentWhereItIsTheFill) {
