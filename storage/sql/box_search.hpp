@@ -14,8 +14,8 @@ struct BoxTexts {
   std::string north;
 };
 
-/// A query for the column `row` of the boxes that meet another one, by the index that the engine has for boxes. The table
-/// has the columns row, west_deg, east_deg, south_deg, north_deg.
+/// A query for the column `row` of all boxes that intersect another box. It uses the index of the engine for
+/// boxes. The table has the columns row, west_deg, east_deg, south_deg, north_deg.
 [[nodiscard]] std::string rows_of_boxes_meeting(const Connection& db, const std::string& table,
                                                 const BoxTexts& box);
 

@@ -41,7 +41,7 @@ class RowProbe {
     return !whole ? RowState::damaged : found ? RowState::readable : RowState::absent;
   }
 
-  /// The next row after a number, as far as the pages that lead to it can be read.
+  /// The next row after a number. It is found only if the pages that lead to it can be read.
   struct Next {
     bool is_known{false};
     std::optional<std::int64_t> row;  // empty: there is no further row

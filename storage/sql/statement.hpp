@@ -50,7 +50,7 @@ class Row {
   std::unique_ptr<PreparedStatement> prepared_;
 };
 
-/// The type of the column that keeps a value of a type of ours.
+/// The column type for values of a C++ type.
 template <class T>
 constexpr ColumnType column_type_of() {
   if constexpr (std::is_integral_v<T>) return ColumnType::integer;

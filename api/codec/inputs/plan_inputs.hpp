@@ -44,8 +44,8 @@ void cover_way(PlanInputs& inputs, const geo::BoundingBox& way);
 [[nodiscard]] tl::expected<EvaluateInputs, core::Violations> parse_evaluate_inputs(
     const nlohmann::json& inputs);
 
-/// Reads such an object without its route, for a route from elsewhere with at least two waypoints, whose legs
-/// may have any length.
+/// Reads the inputs of an evaluation without a route. The route comes from elsewhere; it has at least two
+/// waypoints, and its legs may have any length.
 [[nodiscard]] tl::expected<EvaluateInputs, core::Violations> parse_flight_inputs(
     const nlohmann::json& inputs, std::vector<geo::LonLat> route);
 

@@ -22,7 +22,7 @@ struct TimeSpan {
   std::optional<core::UtcTime> to;
 };
 
-/// A box, with the two depths if it has six numbers, in their order.
+/// A box. Given by six numbers, it also has two depths, in the order in which they were given.
 struct BoxWithDepths {
   geo::BoundingBox area;
   std::optional<std::pair<double, double>> depths_m;

@@ -22,7 +22,6 @@ bool has_no_opening(const planning::Plan& plan, std::size_t waypoint) {
 
 /// Whether ice may be the reason for the upper turn on the leg to this waypoint: the plan has ice data, or
 /// the leg passes under no iceberg.
-/// passes under no iceberg there.
 bool may_be_below_ice(const planning::Plan& plan, std::size_t waypoint) {
   const core::UtcTime from = plan.waypoints[waypoint == 0 ? 0 : waypoint - 1].eta;
   const core::UtcTime until = plan.waypoints[waypoint].eta + plan.waypoints[waypoint].wait;

@@ -34,8 +34,8 @@ enum class Overhead {
 /// without any data on ice counts as one in open water.
 [[nodiscard]] bool may_surface_everywhere(const planning::Plan& plan);
 
-/// Whether the plan says of every leg how deep its dives turn. One stored by an older version, which passes where the
-/// vehicle may not surface, does not.
+/// Whether the plan states the upper turn of every leg. A plan that an older version stored, and that passes
+/// where the vehicle may not surface, does not state it.
 [[nodiscard]] bool tells_upper_turns(const planning::Plan& plan);
 
 /// Texts about ice that has moved over the route since the plan was made: ice or icebergs deeper than the upper

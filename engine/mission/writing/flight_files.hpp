@@ -14,8 +14,9 @@ struct Surfacing {
   std::string why;
 };
 
-/// Whether the mission surfaces at waypoints and after a time: wherever no rules for ice are given, and with
-/// them unless ice or an iceberg forbids it somewhere on the route, for a mission knows no places.
+/// Whether the mission surfaces at waypoints and at intervals. Without rules for ice it always does. With
+/// them it does not if ice or an iceberg forbids a surfacing anywhere on the route, because a mission knows
+/// no places.
 [[nodiscard]] bool surfaces_on_the_way(const planning::Plan& plan, const MissionSetOptions& options);
 
 /// The surfacings of a mission, in order of priority.

@@ -166,7 +166,7 @@ std::optional<messages::Message> message_of_delay(const planning::Plan& plan, co
       .at(plan.waypoints[list.part.last].place);
 }
 
-/// The message if legs are planned on the thruster but no file turns it on; empty: none are.
+/// The message if the plan has legs with the thruster but no file turns it on; otherwise empty.
 std::optional<messages::Message> message_of_thruster(const planning::Plan& plan,
                                                      const GotoListOptions& options) {
   if (options.thruster_in_yo) return std::nullopt;

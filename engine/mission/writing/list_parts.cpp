@@ -75,7 +75,8 @@ double share_within(const planning::Plan& plan, std::size_t leg, const Span& spa
   return (std::min(end, span.until) - std::max(begin, span.from)) / (end - begin);
 }
 
-/// Mean over the legs within the span; none where the plan tells none.
+/// Mean current over the legs within the span. A leg whose current the plan does not state counts as without
+/// current.
 geo::VelocityEn mean_current(const planning::Plan& plan, const Span& span) {
   double east_m = 0.0;
   double north_m = 0.0;

@@ -8,9 +8,9 @@
 
 namespace floeplan::ocean {
 
-/// At the nodes of a grid the least of what is known at the corners of the cells near them: at any place in a cell and in the
-/// grid at least one of the nodes round it has no more than the least known corner of that cell. Cells are as wide here
-/// as the rectangle of nodes round them.
+/// For each node of a grid, the least known value at the corners of the cells near it. For any place inside a cell
+/// and the grid, at least one node round the place thus has a value no greater than the least known corner of the
+/// cell. A cell counts as the whole rectangle of nodes round it.
 /// Shape    values are [point], NaN where missing; output [y][x], NaN where no cell with a known corner is near
 /// Precondition  as of MeshSampling
 [[nodiscard]] std::vector<float> least_of_cells(const Mesh& mesh, const HorizontalGrid& grid,

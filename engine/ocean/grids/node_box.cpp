@@ -45,7 +45,7 @@ Run columns_within(const Axis& lons, double from, double width) {
 /// to the pole than the corners, by at most this many degrees.
 double bulge_deg(double width_deg) { return width_deg * width_deg * std::numbers::pi / 180.0 / 8.0; }
 
-/// By longitudes and latitudes: of cells across the meridian from which positions count, and near a pole.
+/// The nodes by longitudes and latitudes, for cells across the meridian from which positions count or near a pole.
 NodeBox geographic_box(const HorizontalGrid& grid, const Mesh& mesh, const Mesh::Cell& cell,
                        double beside_lon_deg, double beside_lat_deg) {
   Extremes lon;

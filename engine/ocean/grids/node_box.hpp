@@ -25,7 +25,7 @@ class NodeBoxes {
   /// Holds every node of the grid that lies in the cell, and a few others; also for cells across the date line and
   /// round a pole.
   [[nodiscard]] NodeBox near(const Mesh::Cell& cell) const { return within(cell, 0.0); }
-  /// The same of a cell that lies between nodes, or between rows or columns of them: those on both sides of it.
+  /// As `near`. For a cell that lies between nodes, or between rows or columns of nodes, also those on both sides.
   [[nodiscard]] NodeBox near_or_beside(const Mesh::Cell& cell) const;
 
  private:
@@ -35,7 +35,7 @@ class NodeBoxes {
     double y{};
   };
   [[nodiscard]] Position position_of(geo::LonLat point) const;
-  /// Nodes in the cell or so many steps beside it.
+  /// The nodes in the cell, and those at most `steps` grid steps beside it.
   [[nodiscard]] NodeBox within(const Mesh::Cell& cell, double steps) const;
 
   const HorizontalGrid& grid_;

@@ -24,7 +24,7 @@ struct RunSummary {
   double distance_m{};
   std::string why;  // not arrived, for a person: the reason, and the last action of the avoidance
   std::optional<bool>
-      could_be_saved;  // with full knowledge; only for flights with onboard avoidance that touched something
+      could_be_saved;  // by full knowledge; only if a flight with onboard avoidance touched something
 
   friend bool operator==(const RunSummary&, const RunSummary&) = default;
   /// For core::packed.

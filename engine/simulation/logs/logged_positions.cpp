@@ -127,7 +127,7 @@ struct Ways {
   }
 };
 
-/// A position of a log in both readings.
+/// A position of a log, read in each of the two notations.
 struct Read {
   std::size_t row{};
   std::optional<double> seconds;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr const char* samples_table = "field_chunk";
 
-/// Reads all rows that belong to a thing, and verifies the checksums of samples. Returns whether all are
+/// Reads all rows that belong to a StoredThing, and verifies the checksums of samples. Returns whether all are
 /// undamaged.
 bool is_whole_below(sql::Connection& db, const ThingTable& table, std::int64_t row, BlobCodec& codec) {
   for (const std::string& below : tables_below(db, "main", table)) {

@@ -17,7 +17,7 @@ namespace floeplan::repository {
 [[nodiscard]] sql::Connection open_scratch_store(const std::filesystem::path& folder);
 
 /// Opens the store that a database server keeps, setting it up first where there is none.
-/// `address`  as of `sql::Connection::open_at_server`
+/// `address`  as in `sql::Connection::open_at_server`
 /// Errors     sql::Failure when the server cannot be reached or refuses
 [[nodiscard]] sql::Connection open_store_at_server(const std::string& address);
 

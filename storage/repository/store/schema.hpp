@@ -14,15 +14,15 @@ namespace floeplan::repository {
 [[nodiscard]] std::span<const char* const> schema_scripts();
 
 /// The same for stores that database servers keep. The first script makes a whole store, with the tables and
-/// columns of the files' schema `first_server_schema`; triggers, keys and indices are in the server's own words.
-/// The numbers of both lists go their own ways from there.
+/// columns of the files' schema `first_server_schema`; triggers, keys and indices are in the server's own
+/// words. From there on, the two lists are numbered independently.
 [[nodiscard]] std::span<const char* const> server_scripts();
 
 inline constexpr std::int64_t first_server_schema = 17;
 
-/// Programs that know this schema may work on a server's store of the newest schema: whatever scripts came after it
-/// only added what such programs need not know. A script that changes what is there raises it. So nodes of two
-/// neighbouring versions work together while a new version is rolled out.
+/// A program that knows this schema may work on a server's store of the newest schema, because later scripts
+/// only added what it need not know. Whoever writes a script that changes existing tables raises this number.
+/// So nodes of two neighbouring versions work together while a new version is rolled out.
 inline constexpr std::int64_t server_schema_usable_from = 20;  // a dataset may be of water levels
 
 /// The schema that this program writes. Stores with older schemas are converted to it, newer ones are refused.

@@ -19,7 +19,7 @@ struct ChangedJobs {
   bool missed{false};     // the connection was lost for a while, and any job may have changed
 };
 
-/// Hears from here on, by this connection, each change of a job that a client can see. Only a shared store
+/// From this call on, the connection receives each change of a job that a client can see. Only a shared store
 /// announces changes.
 void listen_to_jobs(sql::Connection& db);
 

@@ -8,7 +8,7 @@
 namespace floeplan::repository {
 namespace {
 
-/// Of a part that nobody does; ?1 is the time.
+/// Condition for a part that no worker holds; ?1 is the time.
 const std::string is_free = "result IS NULL AND (holder IS NULL OR lease_until_s <= ?1)";
 
 }  // namespace

@@ -21,17 +21,17 @@ struct JobStage {
 };
 
 /// The parts of running jobs in a shared store, which several nodes do. A node holds a part by a lease; a part
-/// whose holder was lost can be taken again. The parts of a job go when it ends.
+/// whose holder was lost can be taken again. The parts of a job are removed when it ends.
 /// Threads  as the connection: one thread at a time; several connections and processes may take parts at once
 class JobParts {
  public:
   /// `db`  of a shared store; other stores keep no parts
   explicit JobParts(sql::Connection& db) : db_{db} {}
 
-  /// Offers the parts of a stage. Parts of the same basis that are there stay, with their results: an earlier worker
-  /// of the job has left them. Those of another basis go.
+  /// Offers the parts of a stage. Existing parts of the same basis stay with their results, which an earlier
+  /// worker of the job has left. Parts of another basis are removed.
   void offer(const JobStage& stage, std::size_t count);
-  /// Takes a part that nobody does, until `now + lease`; the first one. Empty: there is none.
+  /// Takes the first part that no worker holds, until `now + lease`. Empty if there is none.
   [[nodiscard]] std::optional<std::size_t> take(const JobStage& stage, const std::string& holder,
                                                 core::UtcTime now, core::Seconds lease);
   /// Stores the result of a part. False when it now belongs to another holder, or its job has ended.

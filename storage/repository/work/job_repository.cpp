@@ -51,7 +51,7 @@ JobRecord read_job(const sql::Row& row) {
           .change = row.integer(17)};
 }
 
-/// Jobs, newest first. `rows` is a condition on the row in parameter ?1.
+/// A query of jobs, newest first. `rows`: a condition that compares the row with parameter ?1.
 sql::Statement select_jobs(sql::Connection& db, const std::string& rows, std::int64_t row, int limit,
                            const JobFilter& filter) {
   const std::string duration = "(coalesce(finished_s, updated_s) - started_s)";

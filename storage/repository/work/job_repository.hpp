@@ -89,7 +89,7 @@ class JobRepository {
   /// At most `limit` jobs with a row below `before`, newest first; 0: from the newest.
   [[nodiscard]] std::vector<JobRecord> list(std::int64_t before, int limit,
                                             const JobFilter& filter = {}) const;
-  /// The same without damaged jobs.
+  /// As `list`, without damaged jobs.
   [[nodiscard]] PartialList<JobRecord> list_past_damage(std::int64_t before, int limit,
                                                         const JobFilter& filter = {}) const;
   /// A job with the same digest: the newest successful one, or else this owner's newest that has not ended.

@@ -28,7 +28,7 @@ PlanRecord read_plan(const sql::Row& row) {
           .document_json = row.text(11)};
 }
 
-/// Prepares a query of plans. `rows` is a condition on the row in parameter ?1.
+/// Prepares a query of plans. `rows`: a condition that compares the row with parameter ?1.
 sql::Statement select_plans(sql::Connection& db, const std::string& what, const std::string& rows,
                             std::int64_t row, const PlanFilter& filter) {
   std::string sql = what + "WHERE " + rows;

@@ -52,7 +52,7 @@ class PlanRepository {
   [[nodiscard]] std::optional<PlanRecord> find(const PlanId& id) const;
   /// At most `limit` plans with a row above `after`, by ascending row.
   [[nodiscard]] std::vector<PlanRecord> list(const PlanFilter& filter, std::int64_t after, int limit) const;
-  /// The same without damaged plans. With an id in the filter, a damaged plan is an error.
+  /// As `list`, without damaged plans. With an id in the filter, a damaged plan is an error.
   [[nodiscard]] PartialList<PlanRecord> list_past_damage(const PlanFilter& filter, std::int64_t after,
                                                          int limit) const;
   [[nodiscard]] std::int64_t count(const PlanFilter& filter) const;

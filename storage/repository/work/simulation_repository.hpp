@@ -48,7 +48,7 @@ class SimulationRepository {
   /// At most `limit` simulations with a row above `after`, of one plan or of all plans.
   [[nodiscard]] std::vector<SimulationRecord> list(const std::optional<std::string>& plan_id,
                                                    std::int64_t after, int limit) const;
-  /// The same without damaged simulations.
+  /// As `list`, without damaged simulations.
   [[nodiscard]] PartialList<SimulationRecord> list_past_damage(const std::optional<std::string>& plan_id,
                                                                std::int64_t after, int limit) const;
   [[nodiscard]] std::int64_t count(const std::optional<std::string>& plan_id) const;

@@ -41,7 +41,7 @@ class UploadRepository {
 
   virtual ~UploadRepository() = default;
 
-  /// Keeps a file, and takes it away from where it is.
+  /// Stores a file. It is moved away from its present place.
   virtual Upload add(const std::filesystem::path& file, const std::string& name, const std::string& sha256,
                      const std::string& owner, core::UtcTime now) = 0;
   /// The upload with this id; nullopt if the id is unknown or invalid, or the description is damaged.
@@ -49,7 +49,7 @@ class UploadRepository {
   /// All uploads, newest first; ties by id.
   [[nodiscard]] virtual std::vector<Upload> list() const = 0;
   /// Gives the bytes of an upload to a new file, which must only be read.
-  /// Returns  why that failed; none: it did not
+  /// Returns  the error; none if it succeeded
   [[nodiscard]] virtual std::error_code lay_out(const Upload& upload,
                                                 const std::filesystem::path& file) const = 0;
   /// Removes an upload. False if the upload does not exist.

@@ -3,7 +3,7 @@
 namespace floeplan::sql {
 namespace {
 
-/// The rows that a statement gives. Returns how many these are.
+/// Calls `take` for each row of the statement. Returns the number of rows.
 int rows_of_one(Statement& statement, const std::function<void(const Row&)>& take) {
   int rows = 0;
   for (; statement.step(); ++rows) take(statement);

@@ -8,17 +8,17 @@
 namespace floeplan::sql {
 
 /// While an object of this class lives, no trigger of a store runs, so that rows can be written as they were.
-/// Precondition  a Transaction that is longer: if it is not committed, nothing has happened
+/// Precondition  a Transaction that outlives the object: if it is rolled back, the triggers are unchanged
 /// Edges         at a database server the user must own the tables
 class WithoutTriggers {
  public:
-  /// `tables`  those that have triggers, or more
+  /// `tables`  all tables with triggers; further ones do no harm
   WithoutTriggers(Connection& db, std::vector<std::string> tables);
   WithoutTriggers(const WithoutTriggers&) = delete;
   WithoutTriggers& operator=(const WithoutTriggers&) = delete;
   ~WithoutTriggers() = default;
 
-  /// Makes them run again.
+  /// Makes the triggers run again.
   void end();
 
  private:

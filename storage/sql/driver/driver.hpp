@@ -20,8 +20,8 @@ struct Version {
   friend bool operator==(const Version&, const Version&) = default;
 };
 
-/// Whether a transaction that writes is the only one that writes to its store while it lasts. One that is not must write
-/// nothing whose order among other writes matters; an embedded engine lets one write at a time in any case.
+/// Whether other transactions may write to the store while a writing transaction lasts. A transaction `beside_others`
+/// must write nothing whose order among other writes matters. An embedded engine always lets one write at a time.
 enum class WriteTurn { alone, beside_others };
 
 enum class ColumnType { integer, real, text, blob };
@@ -64,8 +64,8 @@ struct Announced {
   bool missed{false};              // the connection was lost for a while, and more may have been announced
 };
 
-/// One connection to a database engine: what engines do in ways of their own. What all take as the same text (COMMIT,
-/// ROLLBACK, savepoints) is run as a script.
+/// One connection to a database engine: the operations in which engines differ. Operations with the same text
+/// for all engines (COMMIT, ROLLBACK, savepoints) are run as scripts.
 /// Threads  one thread at a time
 /// Errors   Failure when the engine refuses
 class Driver {
@@ -73,16 +73,17 @@ class Driver {
   virtual ~Driver() = default;
 
   [[nodiscard]] virtual Engine engine() const = 0;
-  /// A statement without values, perhaps one that was parsed before. It is gone before the driver is.
+  /// A statement without values, perhaps one that was parsed before. It must be destroyed before the driver.
   [[nodiscard]] virtual std::unique_ptr<PreparedStatement> prepare(const std::string& sql) = 0;
   virtual void run_script(const std::string& script) = 0;
 
   [[nodiscard]] virtual bool is_in_transaction() = 0;
   /// Begins a transaction with the right to write, which it waits for.
   virtual void begin_writing(WriteTurn turn) = 0;
-  /// Commits it. Errors  Failure also where it was undone before, so that nothing is acknowledged which is not kept
+  /// Commits the transaction.
+  /// Errors  Failure also if the transaction was undone before, so that no lost change is acknowledged
   virtual void commit() = 0;
-  /// Undoes it, also one that has failed or was lost.
+  /// Rolls the transaction back, also one that has failed or was lost.
   virtual void roll_back() = 0;
   /// Begins a transaction that reads as of its first read, and waits for nobody.
   virtual void begin_reading() = 0;

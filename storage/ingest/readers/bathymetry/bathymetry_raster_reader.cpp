@@ -236,7 +236,7 @@ std::vector<double> centres(double origin, double step, int count) {
   return values;
 }
 
-/// On a grid of the store.
+/// Places the values on a kind of grid that the store has.
 Checked<PlacedRaster> placed_on_axes(GDALDataset& dataset, const RasterTransform& t,
                                      const geo::GridFrame& frame) {
   const bool geographic = std::holds_alternative<geo::GeographicFrame>(frame);

@@ -20,7 +20,7 @@ namespace floeplan::ingest {
                                                               const char* driver,
                                                               const IngestOptions& options);
 
-/// The same for a table with named columns; the name of its column tells whether it holds depths or
+/// Bathymetry from a table with named columns; the name of its column tells whether it holds depths or
 /// elevations.
 [[nodiscard]] Checked<PreparedDataset> read_depth_table(const std::filesystem::path& file,
                                                         const IngestOptions& options);

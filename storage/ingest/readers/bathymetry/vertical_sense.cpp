@@ -63,7 +63,7 @@ Checked<VerticalFinding> vertical_sense_of(const std::optional<std::string>& use
     return VerticalFinding{*relief, messages::ingest_depth_message<"vertical-sense-of-the-globe">(
                                         description.name, extent, up ? "elevation" : "depth")};
   }
-  if (evidence.lowest_m >= 0.0 && evidence.highest_m <= 100.0)  // maps of sea ice often state as little
+  if (evidence.lowest_m >= 0.0 && evidence.highest_m <= 100.0)  // percent of sea ice has this range, too
     return refuse(messages::ingest_depth_message<"depths-or-ice">(
         description.name, number(evidence.lowest_m) + " to " + number(evidence.highest_m)));
   return refuse(messages::ingest_depth_message<"vertical-sense-unknown">(description.name, extent));

@@ -127,7 +127,7 @@ Checked<LevelHead> level_head_of(const Values& levels) {
 /// The lowest level of a file and how many there are.
 class LevelSurvey {
  public:
-  /// Errors  a level that there cannot be
+  /// Errors  an impossible level
   Checked<bool> look_at(const std::vector<float>& heights_m) {
     for (const float height : heights_m) {
       if (std::isnan(height)) continue;

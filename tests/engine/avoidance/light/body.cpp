@@ -8,7 +8,7 @@
 namespace floeplan::support {
 namespace {
 
-/// Turns into the axes of the body and measures in its half axes.
+/// Turns into the axes of the body and measures in its semi-axes.
 SeaPoint in_axes(const PlacedBody& placed, const SeaPoint& v, double margin_m) {
   const SeaPoint& half = placed.body->half_axes;
   return {(v.east_m * placed.sin_bearing + v.north_m * placed.cos_bearing) / (half.east_m + margin_m),

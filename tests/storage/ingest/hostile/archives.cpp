@@ -103,7 +103,7 @@ void add_hostile_archives(std::vector<HostileFile>& gallery, const HostileAims& 
     gallery.push_back(packed("a place outside its folder", "a.zip", Packing::zip, {{name, berg}}));
   gallery.push_back(
       packed("a place outside its folder", "a.kmz", Packing::zip, {{up + "doc.kml", "<kml></kml>"}}));
-  // More than an archive may unpack to, and as much as it may.
+  // Archives that unpack to about a thousand times their size.
   for (const auto& [packing, least] :
        {std::pair{Packing::zip, 140'000'000}, {Packing::gzip, 20'000'000}, {Packing::zstd, 20'000'000}})
     gallery.push_back(

@@ -15,7 +15,7 @@ namespace floeplan::ingest {
 struct HostileAims {
   std::filesystem::path secret;  // a file that no reader may open
   std::filesystem::path store;   // a store in use
-  std::uint16_t port{};          // of a listener on 127.0.0.1 that nobody may come to
+  std::uint16_t port{};          // of a listener on 127.0.0.1 that no reader may contact
 };
 
 /// A hostile file, or several that are given together.

@@ -24,7 +24,7 @@ using testing::HasSubstr;
 using testing::Not;
 
 constexpr const char* secret_word = "xylophone";
-/// A file of this size may take no longer than that, with what starting its reader takes on a busy machine.
+/// The longest time for a file of the gallery, with the start of its reader on a busy machine.
 constexpr std::chrono::seconds longest{60};
 
 std::string content_of(const fs::path& file) {

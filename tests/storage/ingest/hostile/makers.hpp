@@ -34,7 +34,7 @@ template <class T>
   return std::uniform_int_distribution<std::int64_t>{least, most}(rng);
 }
 
-/// A number of so many octets, the most significant first, or last.
+/// The number in `octets` octets: the most significant first in `big_endian`, last in `little_endian`.
 [[nodiscard]] std::string big_endian(std::uint64_t value, int octets);
 [[nodiscard]] std::string little_endian(std::uint64_t value, int octets);
 

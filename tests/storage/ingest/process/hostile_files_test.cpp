@@ -54,7 +54,7 @@ std::ostream& operator<<(std::ostream& out, const Tally& tally) {
              << tally.longest_s << " s";
 }
 
-/// Small good files of the formats that others write by the thousand.
+/// Small good files of formats that other programs write in great numbers.
 class HostileFiles : public StoreFixture {
  protected:
   std::filesystem::path good_file(const std::string& name) {
@@ -231,7 +231,7 @@ class HostileFiles : public StoreFixture {
     return {std::istreambuf_iterator<char>{in}, {}};
   }
 
-  /// Beside its other parts, where it has some.
+  /// Where a damaged copy of the file is written: beside the other parts of the file, if it has some.
   std::filesystem::path damaged_name(const std::filesystem::path& file) const {
     if (file.extension() == ".shp")
       for (const char* part : {".shx", ".dbf", ".prj"}) {
@@ -338,7 +338,7 @@ TEST_P(HostileFormat, IsReadWhileItIsGood) {
 
 TEST_P(HostileFormat, ThatWasCutShortLeavesNothingHalfInTheStore) {
   const std::string whole = bytes_of(file_);
-  // Every twentieth of its length in a long run, and the first that a hat gives in the others.
+  // Cut at each twentieth of its length, in random order; short runs try only the first of them.
   std::array<std::size_t, 20> parts{};
   std::iota(parts.begin(), parts.end(), std::size_t{0});
   std::ranges::shuffle(parts, std::mt19937_64{1});

@@ -418,7 +418,8 @@ TEST_F(EnvironmentLoaderTest, CountsEveryBergOnce) {
   });
 }
 
-/// Law: what is left out for its age is told alike in however many lists the same sightings came.
+/// Law: the message about sightings left out for their age is the same, in however many lists the sightings
+/// came.
 TEST_F(EnvironmentLoaderTest, TellsOfBergsSeenTooLongAgoHoweverTheyWereListed) {
   support::for_each_seed(20, [&](std::mt19937_64& rng) {
     db_ = support::empty_store();
@@ -474,8 +475,8 @@ TEST_F(EnvironmentLoaderTest, LeavesOutLaterSightingsWithoutADangerWhereTheUserS
   EXPECT_THAT(warnings, Not(Contains(testing::StartsWith("Danger"))));
 }
 
-/// Law: of the bergs near the area exactly those are told that were seen within a month after the departure, and of
-/// which no sighting counts.
+/// Law: messages name exactly those bergs near the area that were seen within a month after the departure,
+/// and of which no sighting counts.
 TEST_F(EnvironmentLoaderTest, TellsOfEveryBergThatOnlyLaterSightingsKnow) {
   support::for_each_seed(20, [&](std::mt19937_64& rng) {
     db_ = support::empty_store();
@@ -704,8 +705,8 @@ TEST_F(EnvironmentLoaderTest, CountsTheAgeOfSightingsBeforeTheEarliestDeparture)
   EXPECT_THAT(names, UnorderedElementsAre("fresh", "later"));
 }
 
-/// Law: a sighting that counts for a span of departures counts for one of them as if that were asked for
-/// alone.
+/// Law: a sighting that counts for a span of departures counts for each of them as in a request for this
+/// departure alone.
 TEST_F(EnvironmentLoaderTest, TellsFromWhichDepartureOnASightingIsTooOld) {
   support::for_each_seed(20, [&](std::mt19937_64& rng) {
     const core::UtcTime observed = sample_time + core::Seconds{support::uniform(rng, -2.0, 2.0) * 86'400.0};
@@ -845,8 +846,8 @@ TEST_F(EnvironmentLoaderTest, HoldsTheIceForThreeDaysBeyondItsPeriodAndSaysSo) {
   EXPECT_THAT(messages::sentences(environment.messages), Contains(HasSubstr("no thickness")));
 }
 
-/// Data of the hour itself go before newer ones that begin later or were made earlier, and those of a part of the area
-/// leave the rest to others.
+/// Data of the hour itself have priority over newer data that begin later or were made earlier. Data of a
+/// part of the area leave the rest to other datasets.
 TEST_F(EnvironmentLoaderTest, TakesIceOfOtherDatasetsWhereOrWhenTheNewestTellsNothing) {
   add_ice("full", sample_time - 2.0 * day, 10);
   add_ice("later", sample_time + 2.0 * day, 10);
@@ -879,7 +880,7 @@ TEST_F(EnvironmentLoaderTest, TakesOlderIceWhereTheNewestHasAGapOrEnds) {
   EXPECT_THAT(cited(load()), testing::IsSupersetOf({"gaps", "full"}));
 }
 
-/// The plan may last until then.
+/// The plan may last until the ice begins.
 TEST_F(EnvironmentLoaderTest, TakesIceThatBeginsWhileTheMissionMayLast) {
   add_ice("later", sample_time + 9.0 * day, 5);
 
@@ -1061,7 +1062,7 @@ TEST_F(EnvironmentLoaderTest, TakesEachTimeFromTheNewestRunThatCoversIt) {
               Contains(HasSubstr("come from several forecast runs")));
 }
 
-/// Their ids come from their bytes and say nothing.
+/// The ids of datasets come from their bytes and say nothing of their order.
 TEST_F(EnvironmentLoaderTest, GoesByWhenTheDataBeginWhereFilesWithoutARunWereIngestedTogether) {
   for (const auto& [yesterday, today] :
        {std::pair{"a-yesterday", "b-today"}, std::pair{"d-yesterday", "c-today"}}) {

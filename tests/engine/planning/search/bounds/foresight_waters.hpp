@@ -13,7 +13,7 @@
 /// Random seas for tests of lower bounds.
 namespace floeplan::planning::search {
 
-/// Tides and eddies of random strength, perhaps an island, and data that may end before the voyage.
+/// Tides and eddies of random strength, perhaps an island, and data that may end before the route.
 inline ocean::Environment random_environment(std::mt19937_64& rng) {
   const double strength_m_s = support::uniform(rng, 0.02, 0.5);
   const double phase = support::uniform(rng, 0.0, 6.28);

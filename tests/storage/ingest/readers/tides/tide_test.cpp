@@ -49,7 +49,7 @@ void place_nodes(NetcdfWriter& writer, const std::string& suffix, const std::vec
   writer.variable(field("lat_" + suffix, {"ny"}, lats, "degree_north"));
 }
 
-/// Writes elevations as the atlas of TPXO has them: dimensions nx, ny; longitudes from 0 to 360; the west first.
+/// Writes elevations as the TPXO atlas stores them: dimensions nx, ny; longitudes from 0 to 360; the west first.
 void write_tpxo_elevation(const std::filesystem::path& file, const std::string& unit = "millimeter") {
   NetcdfWriter writer{file};
   writer.dimension("nx", 3);
