@@ -155,7 +155,7 @@ inline constexpr auto command_kinds = std::to_array<Kind>({
      .text = "the {what} {file} does not hold a JSON object",
      .hint = "write the keys and values between braces",
      .slots = {{{"what", "request file"}, {"file", "request.json"}}}},
-    {.code = "log-not-readable", .text = "cannot be read", .hint = "check its name and rights"},
+    {.code = "log-not-readable", .text = "cannot be read", .hint = "check its name and permissions"},
     {.code = "no-backup-file",
      .text = "there is no file {file}",
      .hint = "give the name of a backup",

@@ -9,7 +9,7 @@
 namespace floeplan::sql::postgresql {
 
 /// The failure for a statement that the server refused, or for a lost connection.
-/// `name`  the database's and its server's, for a person
+/// `name`  of the database and its server, for a person
 [[nodiscard]] Failure failure_of(const PGresult* result, const PGconn* connection, const std::string& name);
 
 }  // namespace floeplan::sql::postgresql

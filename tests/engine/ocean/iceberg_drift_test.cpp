@@ -206,7 +206,7 @@ TEST(IcebergDrift, NeedsToKnowTheWaterSinceTheSightingThatTellsOfADrift) {
 }
 
 TEST(IcebergDrift, FadesFromTheObservedDriftToTheCurrentWithinDays) {
-  // Seen to move 0.1 m/s faster to the east than the water, which is known all the time.
+  // The berg was seen to move 0.1 m/s faster to the east than the water. The current is known all the time.
   const auto sea = sea_with(std::nullopt, 150, [](SampleIndex) { return 0.0F; });
   Iceberg berg = sighted_berg();
   berg.observed = after_hours(24.0);

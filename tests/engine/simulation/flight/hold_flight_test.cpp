@@ -185,7 +185,8 @@ TEST(HoldFlight, LastsAsLongAsPlannedInAnyWater) {
   hold_as_planned(60, true);
 }
 
-/// A glider knows its speed to some 5 % and its heading to 2 degrees, and its legs end earlier or later by as much.
+/// A glider knows its speed to some 5 % and its heading to 2 degrees. Its legs end earlier or later by such
+/// errors.
 TEST(HoldFlight, LastsMostlyAsLongAsPlannedWhateverTheSensorsErr) {
   int within = 0;
   constexpr int flights = 40;

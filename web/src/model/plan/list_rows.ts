@@ -16,7 +16,7 @@ const held = /^# .*: waypoints (\d+) to (\d+) of \d+$/m;
 /** The line of the head of a list that keeps the vehicle at a waypoint. */
 const heldAt = /^# .*: hold at waypoint (\d+) of \d+$/m;
 
-/** Every waypoint of a plan with its row in the files; empty where no file says which it holds. */
+/** Every waypoint of a plan with its row in the files. Empty if a file does not say which waypoints it holds. */
 export function listRows(files: MissionPreview['files']): ListRow[] {
   const rows = files.flatMap(({ name, text }): ListRow[] => {
     const hold = heldAt.exec(text)?.[1];
