@@ -11,7 +11,7 @@ namespace {
 /// The outline crosses a line between vertices at least this share from its ends, so that rings stay apart:
 /// by some centimetres, more than the rounding of places in documents.
 constexpr double least_share = 1e-3;
-/// The same limit for lines that lead out of the grid, so that the area ends on the grid's rim.
+/// The limit of lines that lead out of the grid, so that the area ends on the grid's rim.
 constexpr double rim_share = 1e-6;
 
 /// The grid with a frame of outside vertices around it. Lines between neighbours are numbered: for each

@@ -105,7 +105,7 @@ inline constexpr auto flight_kinds = std::to_array<Kind>({
              "it had last surfaced."},
 });
 
-/// The message of this code as one sentence; it is told its values in the order of the catalogue.
+/// The message of this code as one sentence; its values are given in the order of the catalogue.
 template <Code code, class... Given>
 [[nodiscard]] std::string flight_text(const Given&... given) {
   return whole_text(make_message<flight_kinds, code>(given...));

@@ -179,8 +179,8 @@ inline constexpr auto ingest_hdf5_kinds = std::to_array<Kind>({
      .hint = "Check the area and the period of your download"},
     {.code = "levels-too-large",
      .rank = Rank::caution,
-     .text = "the water levels have {times} times of {nodes} {nodes:place|places}. This program accepts "
-             "{most} values",
+     .text = "the water levels have {times} times of {nodes} places, more than the {most} values that "
+             "this program accepts",
      .hint = "Cut out your area or period first",
      .slots = {{{"times", 100000}, {"nodes", 100000}, {"most", 4000000000}}}},
     {.code = "level-stations-unequal",
@@ -191,7 +191,7 @@ inline constexpr auto ingest_hdf5_kinds = std::to_array<Kind>({
     {.code = "levels-above-datum",
      .rank = Rank::note,
      .text = "the water levels are heights above their datum ({datum}). `floeplan probe` shows them. "
-             "Plans ignore them and take depths from the bathymetry alone",
+             "Plans take depths from the bathymetry alone and do not add the levels",
      .slots = {{{"datum", "lowest astronomical tide"}}}},
     {.code = "levels-below-datum",
      .rank = Rank::caution,

@@ -197,8 +197,8 @@ inline constexpr auto store_kinds = std::to_array<Kind>({
      .hint = "ingest the files again"},
 });
 
-/// The message of this code in one sentence, for an error that carries it; it is told its values in the order of the
-/// catalogue.
+/// The message of this code in one sentence, for an error that carries it; its values are given in the order
+/// of the catalogue.
 template <Code code, class... Given>
 [[nodiscard]] std::string store_text(const Given&... given) {
   return whole_text(make_message<store_kinds, code>(given...));

@@ -55,8 +55,8 @@ const std::map<std::string, Folder>& folders() {
       {"engine/planning/planner", {{"engine/planning/publish", "engine/planning/search/energy"}}},
       {"engine/planning/diagnosis", {{"engine/planning/planner"}}},
       {"engine/planning", {{"engine/planning/diagnosis"}}},
-      // Outside of the planner only its six functions, with their arguments and results, are used, and little
-      // else.
+      // Outside of the planner only its six functions, with their arguments and results, are used, and a few
+      // further headers.
       {"engine/reproduction", {{"engine/planning/optimal_control", "engine/planning/refinement"}}},
       {"engine/mission/document", {{"engine/planning/problem"}}},
       {"engine/mission/reading", {{"engine/mission/document"}}},

@@ -62,7 +62,7 @@ class Bystander:
         self.process.start()
 
     def watches(self, requests):
-        """Waits until it has made so many more requests, or has not come through one for 20 s."""
+        """Waits until it has made this number of further requests, or has completed none for 20 s."""
         while self.asked.acquire(block=False):
             pass
         for _ in range(requests):
@@ -293,7 +293,7 @@ def standing(wires):
 
 
 def idle(bystander, addresses):
-    """Connections from so many addresses that say nothing, held while the server waits for a first word (15 s). Of one
+    """Connections from this number of addresses that send nothing, held while the server waits for a first word (15 s). Of one
     address the server keeps no more than a tenth and lets go of those that wait longest."""
     wires, refused = [], 0
     for number in range(IDLE):

@@ -34,7 +34,7 @@ struct Row {
 /// as fast. It is compared with that of the same row in another run. Empty for a row without a gauge.
 std::optional<double> standing(const Row& row);
 
-/// The same row with this gauge.
+/// The row with this gauge.
 Row gauged_by(Gauge gauge, Row row);
 
 /// A row whose ratio is ours / comparator, because more is better.

@@ -145,7 +145,7 @@ class Pilot(threading.Thread):
         except TimeoutError:
             pass
         except OSError as broken:
-            # All pilots are one client to the server, which may have no more than so many streams.
+            # All pilots are one client to the server, which may have only a limited number of streams.
             refused = isinstance(broken, urllib.error.HTTPError) and broken.code == 429
             if not refused and not self.over.is_set():
                 self.faults.append(f"the stream of events broke: {broken}")

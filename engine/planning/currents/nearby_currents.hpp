@@ -21,8 +21,8 @@ class NearbyCurrents {
   /// along it.
   NearbyCurrents(const PlaneCurrents& currents, core::Metres longest_edge, core::Seconds longest_drive);
 
-  /// Whether the bounds help. They do not where the data's longitudes jump, where edges cross so many cells
-  /// that the bounds would be wide, or where the data are so many that the bounds would take too long.
+  /// Whether the bounds help. They do not if the longitudes of the data jump, if edges cross many cells,
+  /// because the bounds are then wide, or if the data are large, because the bounds then take too long.
   [[nodiscard]] bool is_useful() const { return useful_; }
 
   enum class Film {

@@ -76,7 +76,8 @@ void tell_of_long_below_ice(Plan& plan, const PlanRequest& request) {
   plan.messages.push_back(messages::plan_message<"long-below-ice">(longest.count() / 3600.0).at(begin.place));
 }
 
-/// The same if the vehicle misses the leads that are narrower than its position error, where that is longer by an hour.
+/// The message for a vehicle that misses the leads narrower than its position error, if its time below ice is
+/// then longer by an hour.
 void tell_of_missed_leads(Plan& plan, const PlanRequest& request) {
   const core::Seconds sure = plan.surfacing->longest_without_sure;
   const auto whole_hours = [](core::Seconds time) { return std::round(time.count() / 3600.0); };

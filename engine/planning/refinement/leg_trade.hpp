@@ -19,7 +19,7 @@ class LegTradeOff {
   [[nodiscard]] std::vector<LegTrade> trade() const;
 
   /// The route with the fewest legs for which twice as many legs would lower the cost by less than the share
-  /// `least_gain`. With `most_legs`, a route with at most so many legs, if there is one.
+  /// `least_gain`. With `most_legs`, a route with at most this number of legs, if there is one.
   /// Precondition  a route was offered
   [[nodiscard]] const cost::Itinerary& choose(double least_gain, std::optional<std::size_t> most_legs) const;
 

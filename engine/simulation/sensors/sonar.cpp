@@ -12,7 +12,7 @@
 namespace floeplan::simulation {
 namespace {
 
-constexpr double most_rays = 4000.0;          // with at most so many, a ping takes under 1 ms
+constexpr double most_rays = 4000.0;          // with at most this number, a ping takes under 1 ms
 constexpr double rays_in_height = 5.0;        // number over a beam's height: they hit faces of a fifth of it
 constexpr double least_false_alarm = 1e-12;   // probability per cell if no false alarms are wanted
 constexpr float loudest_neighbour = 3.98F;    // 6 dB: if louder by more, the echo is the neighbour's

@@ -12,7 +12,7 @@
 namespace floeplan::sql::postgresql {
 namespace {
 
-/// More than the different statements that a program of ours runs, and little memory for a server.
+/// More than the number of different statements that this program runs, and little memory for a server.
 constexpr std::size_t most_parsed = 300;
 
 bool has_succeeded(const Result& result) {

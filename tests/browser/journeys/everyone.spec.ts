@@ -5,7 +5,7 @@ import { expect, mapAtRest, open, pixelOf, settled, test, typed, type LonLat } f
 const west: LonLat = [-52.6, 69.15];
 const east: LonLat = [-52.2, 69.13];
 
-/** What a screen reader is told of by itself. */
+/** The texts that a screen reader speaks by itself. */
 const spoken = (page: Page) => page.locator('[aria-live=polite]');
 
 const widerThanScreen = (page: Page): Promise<number> => page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);

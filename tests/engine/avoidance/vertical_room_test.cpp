@@ -126,7 +126,7 @@ TEST(VerticalRoom, GoesRoundABedThatRisesFasterThanItClimbs) {
   EXPECT_FALSE(passes(*below, echo(20.0, 59.0)));
 }
 
-/// Eastward over a bed that gets shoaler by so much in a metre, from 24 m on.
+/// Eastward over a bed that begins at 24 m and gets shoaler by `rise` in each metre.
 std::optional<VerticalRoom::ShoalEdge> shoal_over(double rise) {
   AvoidanceSettings settings = to_60_m();
   settings.least_water = core::Metres{20.0};

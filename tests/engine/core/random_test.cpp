@@ -36,7 +36,7 @@ TEST(Random, GivesEveryRunOfABatchASeedOfItsOwn) {
   EXPECT_EQ(seeds.size(), 20'000U);
 }
 
-/// All bounds below are five standard errors of the mean of so many draws.
+/// All bounds below are five standard errors of the mean of this number of draws.
 TEST(Random, DrawsUniformNumbersOfTheRightMeanAndVariance) {
   auto rng = random_stream(1, "uniform");
   double sum = 0.0;

@@ -15,7 +15,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double pi = std::numbers::pi;
 
-/// The same, signs of zeros and infinities included; all not-a-numbers are one.
+/// Expects two equal values, with the signs of zeros and infinities. All not-a-numbers count as one.
 void expect_same(double value, double wanted, double x, double y = 0.0) {
   if (std::isnan(wanted)) {
     EXPECT_TRUE(std::isnan(value)) << value << " of " << x << ' ' << y;

@@ -381,7 +381,8 @@ TEST(PlanUnderIce, BlamesTheIceWhereAPlaceToPassLeavesNoTimeToGoOn) {
   EXPECT_EQ(plan.error().binding, Constraint::ice);
 }
 
-/// The best route to the via point is straight on. It leaves too little of the bound for the rest of the voyage.
+/// The best route to the via point is straight on. It leaves too little of the bound for the rest of the
+/// route.
 TEST(PlanUnderIce, SurfacesBeforeAPlaceToPassWhereItMustGoOnBelowTheIce) {
   const geo::LonLat hole{-53.25, 69.06};
   ocean::Environment holed{.ice = support::ice_from(

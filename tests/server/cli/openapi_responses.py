@@ -158,7 +158,7 @@ def refused(method, template, address, body=None):
 
 
 def unknown_parameters():
-    """Every operation once with a query parameter that there is not."""
+    """Every operation once with an unknown query parameter."""
     for template, operations in DOCUMENT["paths"].items():
         path = re.sub("{[^}]*}", "none", template)
         for verb in set(VERBS) & set(operations):

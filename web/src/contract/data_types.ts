@@ -219,7 +219,7 @@ export interface IceChart {
   dataset_id: string;
   dataset_name: string;
   time: string | null;
-  complete: boolean; // false: some polygons were omitted because a picture cannot show so many
+  complete: boolean; // false: some polygons were omitted because a picture can show only a limited number
   features: { type: 'Feature'; properties: IceEgg; geometry: { type: 'Polygon'; coordinates: Position[][] } }[];
 }
 

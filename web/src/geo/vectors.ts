@@ -6,7 +6,7 @@ export function rotateToView(code: ProjectionCode, place: Position, east: number
   return rotateByNorth(northAngle(code, place), east, north);
 }
 
-/** The same, with the direction of north already known (radians counter-clockwise from x). */
+/** As `rotateToView`, with the direction of north already known (radians counter-clockwise from x). */
 export function rotateByNorth(north_rad: number, east: number, north: number): [x: number, y: number] {
   const cos = Math.cos(north_rad);
   const sin = Math.sin(north_rad);

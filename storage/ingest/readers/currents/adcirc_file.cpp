@@ -15,7 +15,7 @@ namespace floeplan::ingest {
 namespace {
 
 constexpr double dry = -99999.0;
-constexpr std::size_t numbers_looked_at = 8;  // at most so many numbers of a line are read
+constexpr std::size_t numbers_looked_at = 8;  // at most this number of numbers is read from a line
 
 /// The numbers at the beginning of a line, up to the first word that is not a number.
 struct Numbers {

@@ -34,7 +34,7 @@ ocean::HorizontalGrid grid() {
   return {geo::GeographicFrame{}, ocean::Axis{{-54.0, -52.0}}, ocean::Axis{{68.0, 70.0}}};
 }
 
-/// Open water 300 m deep, and `share` of ice at steps so many hours after the departure.
+/// Open water 300 m deep, and `share` of ice at steps the given hours after the departure.
 ocean::Environment sea(const planning::Plan& plan, double depth_m,
                        const std::vector<std::pair<double, float>>& ice) {
   ocean::Environment environment;

@@ -296,7 +296,7 @@ TEST(Flight, RefusesAWorldThatDoesNotCoverItsMission) {
   EXPECT_THROW(Flight{request}, std::invalid_argument);
 }
 
-/// Currents of 0.1 m/s to the east for so many hours, on a grid about the origin.
+/// Currents of 0.1 m/s to the east for the given hours, on a grid about the origin.
 World sea_for(int hours) {
   const geo::LocalProjection projection{flight_origin};
   const ocean::HorizontalGrid grid{geo::GeographicFrame{}, ocean::Axis{{-52.5, -52.0, -51.5}},

@@ -206,7 +206,7 @@ TEST(GliderLog, ReadsFromARealLogWhatItsMissionFileSays) {
   EXPECT_NEAR(comet.turns_down_at.value, 38.0, 1.5);
 }
 
-/// The log with another name for its variation, so that it has none, and its times by so much later.
+/// The log with another name for its variation, so that it has none, and later times.
 std::string without_variation(std::string log, double later_s) {
   log.replace(log.find("m_gps_mag_var"), 13, "m_gps_no_word");
   std::string moved;

@@ -96,7 +96,7 @@ TEST(DatasetTransfer, TakesOverNothingTwice) {
   EXPECT_EQ(count(db, "sighting"), 1);
 }
 
-/// A grid of 2 x 2 nodes with so many steps that their samples are copied in several transactions.
+/// A grid of 2 x 2 nodes with enough steps that their samples are copied in several transactions.
 TEST(DatasetTransfer, TakesOverEverySampleOfALargeDataset) {
   constexpr std::size_t steps = 2500;
   const support::TemporaryFolder arrived;

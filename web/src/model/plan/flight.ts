@@ -118,8 +118,8 @@ export function sonarAt(flight: Flight, at_ms: number, window_s: number): { near
 }
 
 /**
- * At least so many returns in one ping are an echo. False alarms come in one of fifty pings by default; three of them fall into one
- * ping once in a million.
+ * This number of returns in one ping, or more, is an echo. False alarms come in one of fifty pings by default; three of them fall into one ping once
+ * in a million.
  */
 const sure_returns = 3;
 export const isEcho = (returns: number): boolean => returns >= sure_returns;

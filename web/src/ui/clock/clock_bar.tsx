@@ -74,7 +74,7 @@ function sinceDeparture(now_ms: number, lead: string): string {
 
 const lanes = computed(() => lanesOf(shownPlans.value, selectedId.value));
 
-/** How many plans on the map have no bar, for want of room. */
+/** The number of plans on the map that have no bar, because there is no room. */
 function MoreBars(): VNode | null {
   const { left } = lanes.value;
   if (left.length === 0) return null;

@@ -43,7 +43,7 @@ std::string padded(std::string text) {
   return text;
 }
 
-/// The same in the format with 64-bit numbers (CDF-5): depths(latitude, longitude) of two bytes each, 2 x 2.
+/// A file in the format with 64-bit numbers (CDF-5): depths(latitude, longitude) of two bytes each, 2 x 2.
 std::string small_bathymetry_of_64_bits() {
   const auto name = [](const std::string& text) { return wide(text.size()) + padded(text); };
   const auto variable = [&](const std::string& called, const std::string& dimensions, const std::string& unit,

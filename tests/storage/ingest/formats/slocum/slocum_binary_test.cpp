@@ -82,7 +82,7 @@ struct LogWriter {
   std::string log() const { return head() + cycles() + "X"; }
 };
 
-/// In blocks of so many bytes, as the gliders of newer firmware send them.
+/// In blocks of this number of bytes, as the gliders of newer firmware send them.
 std::string compressed(const std::string& bytes, std::size_t block) {
   std::string packed;
   for (std::size_t at = 0; at < bytes.size(); at += block) {

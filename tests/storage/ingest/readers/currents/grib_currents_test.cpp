@@ -170,7 +170,8 @@ TEST_F(GribCurrents, OfSeveralTimesAndDepthsAreOneField) {
   EXPECT_EQ(currents.samples().times_s.size(), 2U);
 }
 
-/// Law: means over layers stand at the middles of these, and are told; a layer without thickness is a depth.
+/// Law: means over layers count for the middles of the layers, and the report says so; a layer without
+/// thickness is a depth.
 TEST_F(GribCurrents, OfLayersStandAtTheirMiddles) {
   support::for_each_seed(8, [&](std::mt19937_64& rng) {
     db_ = repository::open_store_in_memory();

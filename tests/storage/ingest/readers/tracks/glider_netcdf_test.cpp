@@ -107,7 +107,7 @@ class GliderNetcdf : public StoreFixture {
   std::string warnings_;
 };
 
-/// Nothing is told but that the currents are in the frame that the file states.
+/// The only message says that the currents are in the frame that the file states.
 const auto only_of_frame =
     testing::MatchesRegex("\n?[^\n]*true east and north, as the file states them[^\n]*\n?");
 

@@ -117,7 +117,8 @@ TEST_F(KmlZones, WhosePeriodIsNotThatOfTheirFolderAreRefusedWithBoth) {
   EXPECT_THAT(refusal, HasSubstr("the period of its folder (2026-01-01T00:00:00Z to 2026-03-02T00:00:00Z)"));
 }
 
-/// Words of the rule that the zone does not get are told, wherever they stand; those of its own are not.
+/// The report names words that suggest the other rule, wherever they stand, but not words of the own rule of
+/// the zone.
 TEST_F(KmlZones, TellWordsOfTheOtherRule) {
   const auto told = [&](const std::string& around, const std::string& name, const std::string& text,
                         const char* kind) {
