@@ -14,7 +14,8 @@ constexpr const char* session_settings =
     "SET lock_timeout = '10s'; SET synchronous_commit = on; SET client_min_messages = warning; "
     "SET default_transaction_isolation = 'read committed'";
 
-/// The lock of one store: the first number is ours ("FLOE"), the second the store's schema.
+/// The lock of one store: the first number stands for Floeplan ("FLOE"), the second for the schema of the
+/// store.
 constexpr const char* take_right_to_write =
     "SELECT pg_advisory_xact_lock(1179406149, hashtext(current_schema()))";
 
@@ -47,7 +48,8 @@ void ServerDriver::begin_writing(WriteTurn turn) {
 
 void ServerDriver::begin_reading() { session_.begin("BEGIN ISOLATION LEVEL REPEATABLE READ READ ONLY"); }
 
-/// Two reads that see the same transactions see the same rows: the version is which ones are seen.
+/// Two reads that see the same transactions see the same rows. So the version is the set of transactions that
+/// a read sees.
 Version ServerDriver::version() {
   const Result result = session_.run("SELECT pg_current_snapshot()::text", {});
   const std::string seen = text_at(result.get(), 0, 0);

@@ -35,8 +35,8 @@ class ServerSession {
   /// Errors   Failure also when the transaction has failed or was lost: the server takes a COMMIT for a ROLLBACK then
   void commit();
   void roll_back();
-  /// Runs one statement to its end and takes all of its rows, in binary form. One that was run before with values of the
-  /// same types is not parsed anew.
+  /// Runs one statement to its end and takes all of its rows, in binary form. A statement that was run before
+  /// with values of the same types is not parsed again.
   [[nodiscard]] Result run(const std::string& sql, const std::vector<WireValue>& values);
 
   /// Runs a statement here and in each session that takes the place of this one.
@@ -45,15 +45,15 @@ class ServerSession {
   [[nodiscard]] Announced announced(std::chrono::milliseconds at_most);
 
   [[nodiscard]] bool is_in_transaction() const { return has_begun_; }
-  /// Its name and its server's, for a person.
+  /// The name of the database and of its server, for a person.
   [[nodiscard]] const std::string& name() const { return name_; }
 
  private:
   struct EndSession {
     void operator()(PGconn* connection) const { PQfinish(connection); }
   };
-  /// A new session takes the place of one that was lost, but never within a transaction: what follows there must not be
-  /// kept alone.
+  /// A new session takes the place of one that was lost, but never within a transaction: the rest of the
+  /// transaction must not be stored without its beginning.
   void reconnect_if_lost();
   /// Notices that were received and not yet returned.
   [[nodiscard]] std::vector<std::string> received();

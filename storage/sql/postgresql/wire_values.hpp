@@ -12,7 +12,8 @@
 
 namespace floeplan::sql::postgresql {
 
-/// The types of values that we send and read, by their numbers in the server's catalogue (pg_type.dat).
+/// The types of values that this program sends and reads, by their numbers in the server's catalogue
+/// (pg_type.dat).
 enum class WireType : Oid {
   unknown = 0,
   boolean = 16,

@@ -67,7 +67,7 @@ HorizontalGrid at_place(geo::LonLat place) {
   return {geo::GeographicFrame{}, Axis{{place.lon_deg}}, Axis{{place.lat_deg}}};
 }
 
-/// A mean of the corners with weights by chance.
+/// A mean of the corners with random weights.
 geo::LonLat place_in(std::mt19937_64& rng, const Mesh& mesh, const Mesh::Cell& cell) {
   geo::UnitVector sum;
   for (const std::uint32_t corner : cell) {

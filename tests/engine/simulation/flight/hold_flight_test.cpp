@@ -58,7 +58,7 @@ std::shared_ptr<const ocean::CurrentGrid> water_of(const std::vector<geo::Veloci
 
 constexpr core::Seconds tide{12.42 * 3600.0};  // M2
 
-/// When a vehicle that leaves at the start is so far on its course.
+/// When a vehicle that leaves at the start has covered this distance on its course.
 core::UtcTime arrival_of(const std::vector<geo::VelocityEn>& hourly, core::MetresPerSecond speed,
                          geo::Bearing course, core::Metres length) {
   constexpr core::Seconds step{60.0};

@@ -109,7 +109,7 @@ TEST(Sonar, DetectsAsOftenAsTheSwerlingCurveSays) {
   const double cells = settings.range_m / (0.5 * settings.water.speed_m_s * settings.pulse_s);
   const double false_alarm = settings.false_alarms_per_ping / (cells - 1.0);
   for (const double wanted_db : {3.0, 10.0, 15.0}) {
-    // The level of the face is chosen such that the echo stands so high above its background.
+    // With this strength of the ice, the echo is `wanted_db` above its background.
     Sonar loud{settings};
     SonarSettings faint = settings;
     faint.ice_strength_db +=
