@@ -180,8 +180,8 @@ inline constexpr auto ingest_current_kinds = std::to_array<Kind>({
     {.code = "along-bent-axes",
      .rank = Rank::caution,
      .text = "the components \"{first}\" and \"{second}\" point along the axes of the model's grid. "
-             "The data reach latitude {latitude}, where global models bend their grid round poles on "
-             "land, so these axes may not be east and north",
+             "The data reach latitude {latitude}, where the grid of a global model is bent round "
+             "poles on land, so these axes may not be east and north",
      .hint = "Give the model's file of positions (geolon_c and geolat_c, or nav_lon and nav_lat) in the same "
              "command, or keep only the part south of latitude {limit}",
      .slots = {{{"first", "u"}, {"second", "v"}, {"latitude", "80"}, {"limit", "65"}}}},
