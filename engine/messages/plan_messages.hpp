@@ -240,14 +240,13 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
     {.code = "alternative",
      .rank = Rank::note,
      .text = "this route passes {side} of the {obstacle} at {lon_deg:.4f}, {lat_deg:.4f} ({extent_km:.0f} km "
-             "across). The best route passes on the other side. This route takes {difference_h:.1f} h {more}",
+             "across). The best route passes on the other side. This route takes {more}",
      .slots = {{{"side", "south"},
                 {"obstacle", "land"},
                 {"lon_deg", -53.5},
                 {"lat_deg", 69.25},
                 {"extent_km", 12.0},
-                {"difference_h", 3.2},
-                {"more", "more"}}}},
+                {"more", "3 h 12 min more"}}}},
     {.code = "nothing-to-go-round",
      .rank = Rank::note,
      .text = "there is no alternative. Near the route lies no obstacle of {least_km:.1f} km or more that the "

@@ -87,6 +87,17 @@ class Barrier {
   std::vector<std::vector<geo::PlanePoint>> parts_;  // outlines of the areas
 };
 
+/// "4 min more", "3 h 05 min less", "the same time", by minutes, as the desk shows durations.
+std::string comparison_of(core::Seconds later) {
+  const std::int64_t minutes = std::llround(std::abs(later.count()) / 60.0);
+  if (minutes == 0) return "the same time";
+  const std::string within_hour = std::to_string(minutes % 60);
+  std::string text =
+      minutes < 60 ? within_hour
+                   : std::to_string(minutes / 60) + " h " + (within_hour.size() < 2 ? "0" : "") + within_hour;
+  return text + (later.count() < 0.0 ? " min less" : " min more");
+}
+
 std::string_view name_of(ObstacleKind kind) {
   switch (kind) {
     case ObstacleKind::land: return "land";
@@ -231,11 +242,10 @@ class AlternativeSearch {
     const geo::LonLat middle = projection_.to_lon_lat(way.around->middle);
     const geo::LonLat passes =
         projection_.to_lon_lat(nearest_point(timed_route(way.plan, projection_), way.around->middle));
-    const double later_h = (way.plan.travel_time() - best.travel_time()).count() / 3600.0;
     return messages::plan_message<"alternative">(
                geo::compass_point(geo::geodesic_between(middle, passes).course_at_start),
                name_of(way.around->kind), middle.lon_deg, middle.lat_deg, way.around->extent.value / 1000.0,
-               std::abs(later_h), later_h < 0.0 ? "less" : "more")
+               comparison_of(way.plan.travel_time() - best.travel_time()))
         .at(middle);
   }
 

@@ -90,6 +90,22 @@ TEST(FindAlternatives, PassABankOnItsOtherSide) {
   ASSERT_TRUE(found.fewer);
 }
 
+TEST(FindAlternatives, SayTheDifferenceOfTheTravelTimesToTheMinute) {
+  for (const double south : {68.90, 68.92, 68.94, 68.95}) {
+    const ocean::Environment sea = sea_with({{-53.11, south, -52.89, 69.06, 15.0}});
+    const auto found = alternatives(sea, asking_for(1)).found;
+    ASSERT_THAT(found, SizeIs(1));
+    const long minutes = std::lround(
+        (found.front().plan.travel_time() - best(sea, asking_for(1)).travel_time()).count() / 60.0);
+    const std::string told = minutes == 0 ? "the same time"
+                             : minutes < 60
+                                 ? std::to_string(minutes) + " min more"
+                                 : std::to_string(minutes / 60) + " h " + (minutes % 60 < 10 ? "0" : "") +
+                                       std::to_string(minutes % 60) + " min more";
+    EXPECT_THAT(found.front().reason.text, testing::EndsWith("This route takes " + told)) << south;
+  }
+}
+
 /// The search for the plan may end in a worse route than the search round an obstacle, as both are limited to their grids.
 /// Here the plan that is given is such a route.
 TEST(FindAlternatives, CostNoLessThanTheBestPlanWhoseRankACheaperOneTakes) {
@@ -107,7 +123,7 @@ TEST(FindAlternatives, CostNoLessThanTheBestPlanWhoseRankACheaperOneTakes) {
   ASSERT_THAT(found->found, SizeIs(1));
   EXPECT_EQ(found->found[0].plan.travel_time(), north.travel_time());
   EXPECT_TRUE(found->found[0].request.zones.empty());
-  EXPECT_THAT(messages::sentence(found->found[0].reason), HasSubstr("h more"));
+  EXPECT_THAT(messages::sentence(found->found[0].reason), HasSubstr("min more"));
   EXPECT_FALSE(alternatives(sea, request).better);
 }
 
