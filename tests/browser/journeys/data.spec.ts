@@ -114,3 +114,21 @@ test('sending is cancelled', async ({ page }) => {
   await expect(sending).toContainText('Cancelled; nothing was stored.');
   held?.();
 });
+
+test('a dataset that a better one replaces says so and leads to it', async ({ page }) => {
+  await page.route('**/datasets', async (route) => {
+    const answer = await route.fetch();
+    const document = (await answer.json()) as { datasets: { id: string; kind: string }[] };
+    const old = document.datasets.find(({ kind }) => kind === 'currents');
+    const better = { ...old, id: 'currents-0badcafe' };
+    const marked = { ...old, stale: 'resampled by an earlier version: currents-0badcafe has the values at the file\'s own points', better_id: better.id };
+    await route.fulfill({ response: answer, json: { ...document, datasets: [better, ...document.datasets.map((one) => (one === old ? marked : one))] } });
+  });
+  await open(page);
+  await data(page).click();
+  const list = page.getByRole('list', { name: 'Datasets' });
+  const stale = list.getByRole('listitem').filter({ hasText: 'Resampled by an earlier version' });
+  await expect(stale).toHaveCount(1);
+  await stale.getByRole('button', { name: 'Show it' }).click();
+  await expect(page.locator('#dataset-currents-0badcafe')).toBeFocused();
+});

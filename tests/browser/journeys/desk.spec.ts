@@ -2,6 +2,7 @@ import AxeBuilder from '@axe-core/playwright';
 import { expect, mapAtRest, open, planByTyping, settled, test, typed } from '../support/page';
 import { setClock } from '../support/now';
 import { findPlaces } from '../support/places';
+import type { Locator } from '@playwright/test';
 
 test('a colleague opens the same view from the address', { tag: '@long' }, async ({ page, request }) => {
   const { start, goal } = await findPlaces(request);
@@ -85,6 +86,23 @@ test('a plan on older data is marked, and checked on the newest', { tag: '@long'
   await expect(page.getByText('stale data').first()).toBeVisible();
 });
 
+/** A figure of the table of comparison without its unit; a time in minutes. */
+function figureIn(text: string): number {
+  const time = /^[+−]?(?:(\d+) h )?(\d+) min/.exec(text);
+  const size = time ? 60 * Number(time[1] ?? 0) + Number(time[2]) : Number.parseFloat(text.replace(/^[+−±]/, ''));
+  return text.startsWith('−') ? -size : size;
+}
+
+/** Every difference to the first plan is that of the two figures on the screen; of the arrival it is not, which has a date. */
+async function expectDifferencesOfWhatIsShown(table: Locator): Promise<void> {
+  const cells = (row: number): Promise<string[][]> =>
+    table.getByRole('row').nth(row).locator('td').evaluateAll((all) => all.map((cell) => [...cell.childNodes].map(({ textContent }) => textContent ?? '')));
+  const [base, other] = [await cells(1), await cells(2)];
+  const told = other.flatMap(([value = '', difference], i) => (i > 1 && difference && /^[+−±]/.test(difference) ? [[figureIn(value) - figureIn(base[i]?.[0] ?? ''), figureIn(difference)]] : []));
+  expect(told.length).toBeGreaterThan(5);
+  for (const [actual = NaN, stated] of told) expect(stated).toBeCloseTo(actual, 6);
+}
+
 test('plans are compared, and one of them is the baseline', async ({ page, request }) => {
   const { start, goal } = await findPlaces(request);
   await open(page);
@@ -100,6 +118,7 @@ test('plans are compared, and one of them is the baseline', async ({ page, reque
   await expect(settings.getByRole('row')).toHaveText([/^Setting/, /^Iceberg margin(500 m)+800 m$/]);
   const table = page.getByRole('region', { name: 'Comparison table' });
   await expect(table.locator('.difference').first()).toBeVisible();
+  await expectDifferencesOfWhatIsShown(table);
   await table.getByRole('radio').last().check();
   await expect(table.getByRole('row').last()).toHaveClass(/selected/);
   await table.getByRole('button', { name: 'Travel time' }).click();

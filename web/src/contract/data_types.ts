@@ -24,6 +24,7 @@ export interface Dataset {
   rows_refused: number;
   warnings: string[];
   stale?: string; // what to do, if an earlier version misread or resampled it
+  better_id?: string; // of the stored dataset of the same file that replaces it
   file_name: string;
   file_size_bytes: number;
   sha256: string;

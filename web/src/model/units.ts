@@ -23,6 +23,17 @@ export function distance(metres: number | null | undefined, greatest_m?: number)
   return `${(metres / 1000).toFixed(scale_m < 1e5 ? 1 : 0)} km`;
 }
 
+/** The distance that the text of `distance` states, to its last digit. */
+export function shownDistance_m(metres: number, greatest_m: number): number {
+  const inMiles = settings.value.distance === 'nm';
+  const miles_m = metresPerNauticalMile / (greatest_m < 10 * metresPerNauticalMile ? 100 : 10);
+  const metric_m = greatest_m < 1000 ? 1 : greatest_m < 1e5 ? 100 : 1000;
+  return toStep(metres, inMiles ? miles_m : metric_m);
+}
+
+/** The multiple of a step that is nearest. */
+export const toStep = (value: number, step: number): number => step * Math.round(value / step);
+
 /** The bare number of a table column headed by `distanceUnit`. */
 export function distanceFigure(metres: number | null | undefined): string {
   if (!present(metres)) return none;
@@ -54,6 +65,9 @@ export const course = (degrees: number | null | undefined): string =>
 /** `greatest_j`: as in `distance`. */
 export const energy = (joules: number | null | undefined, greatest_j?: number): string =>
   present(joules) ? ((greatest_j ?? joules) >= 1e6 ? `${(joules / 1e6).toFixed(2)} MJ` : `${(joules / 1e3).toFixed(0)} kJ`) : none;
+
+/** The energy that the text of `energy` states, to its last digit. */
+export const shownEnergy_j = (joules: number, greatest_j: number): number => toStep(joules, greatest_j >= 1e6 ? 1e4 : 1e3);
 
 const sizes = ['bytes', 'kB', 'MB', 'GB'] as const;
 

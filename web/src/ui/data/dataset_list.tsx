@@ -5,6 +5,7 @@ import type { Dataset } from '../../contract/data_types';
 import { covered, toggleCoverage } from '../../model/coverage';
 import { byHand, connectionFault, damagedDatasets, datasets, isEmptyStore, isInUse } from '../../model/datasets';
 import { may } from '../../model/login';
+import { asSentence } from '../../model/page_words';
 import { plans } from '../../model/plan/plans';
 import { shortTime } from '../../model/time';
 import { fileSize } from '../../model/units';
@@ -44,7 +45,7 @@ function Row({ dataset }: { dataset: Dataset }): VNode {
     if (window.confirm(question(dataset))) setFault(await deleteDataset(id));
   };
   return (
-    <li class={shown ? 'dataset covered' : 'dataset'}>
+    <li id={`dataset-${id}`} tabIndex={-1} class={shown ? 'dataset covered' : 'dataset'}>
       <div class="dataset-head">
         <span class="dataset-kind">{kind}</span>
         {inUse && <span class="badge in-use">in use</span>}
@@ -52,7 +53,7 @@ function Row({ dataset }: { dataset: Dataset }): VNode {
         <IconButton icon="trash" label={`Remove ${name}`} disabled={!may('admin')} onClick={() => void remove()} />
       </div>
       <b class="dataset-name">{name}</b>
-      {stale && <p class="caution-box">{stale}</p>}
+      {stale && <p class="caution-box">{asSentence(stale)} <BetterLink id={dataset.better_id} /></p>}
       <p class="dataset-figures">
         {time_start && time_end && <span>{time_start === time_end ? shortTime(Date.parse(time_start)) : `${shortTime(Date.parse(time_start))} – ${shortTime(Date.parse(time_end))}`}</span>}
         {kind === 'icebergs' && <span>{rows_accepted.toLocaleString('en')} {rows_accepted === 1 ? 'sighting' : 'sightings'}{rows_refused > 0 ? `, ${rows_refused.toLocaleString('en')} refused` : ''}</span>}
@@ -69,6 +70,13 @@ function Row({ dataset }: { dataset: Dataset }): VNode {
       {fault && <p class="fault" role="alert">{fault}</p>}
     </li>
   );
+}
+
+/** Leads to the dataset in the list that replaces a stale one: the two may have the same name. */
+function BetterLink({ id }: { id: string | undefined }): VNode | null {
+  if (!id || !datasets.value?.some((other) => other.id === id)) return null;
+  const show = (): void => document.getElementById(`dataset-${id}`)?.focus();
+  return <button type="button" class="link" onClick={show}>Show it</button>;
 }
 
 /** Plans keep their values, but cannot be evaluated again with a deleted dataset. */

@@ -9,52 +9,69 @@ import { ofRank } from '../../model/messages';
 import { baseline, baselineId, shownPlans, titleOf } from '../../model/plan/plans';
 import { settingRows } from '../../model/plan/settings_difference';
 import { requestOf } from '../../model/setup/requests';
-import { duration, shortTime } from '../../model/time';
+import { shortTime } from '../../model/time';
 import { belowIce_m, belowIce_s, closedWaypoints, deepestTurn_m, turnFigure } from '../../model/ice/under_ice';
-import { distance, energy, none } from '../../model/units';
+import { distance, energy, none, shownDistance_m, shownEnergy_j, toStep } from '../../model/units';
 import { Modal } from '../common/modal';
 import { PlanKey } from '../common/plan_key';
 
-interface Column {
-  title: string;
-  value: (plan: Plan) => number | null;
-  text: Figure;
-  size?: Figure; // the text of a difference; if missing, that of the value
+/** How the values of a column are written; `greatest` of its values decides unit and decimals. */
+interface Figure {
+  text: (value: number, greatest: number) => string;
+  /** What the text says, as a number: differences are those of what the table shows. */
+  shown: (value: number, greatest: number) => number;
+  difference?: (value: number, greatest: number) => string; // its text; if missing, as that of the value
 }
 
-/** A value as text; `greatest` of its column decides unit and decimals. */
-type Figure = (value: number, greatest: number) => string;
+interface Column extends Figure {
+  title: string;
+  value: (plan: Plan) => number | null;
+}
 
-const percent: Figure = (share) => `${(100 * share).toFixed(1)} %`;
-const time: Figure = (seconds) => duration(seconds);
-const count: Figure = (value) => String(value);
+const minute_s = 60;
+
+/** To the minute, however long, because differences are: "35 h 04 min". */
+const inMinutes = (seconds: number): string => {
+  const minutes = Math.round(seconds / minute_s);
+  return minutes < 60 ? `${minutes} min` : `${Math.floor(minutes / 60)} h ${String(minutes % 60).padStart(2, '0')} min`;
+};
+const percent: Figure = { text: (share) => `${(100 * share).toFixed(1)} %`, shown: (share) => toStep(share, 0.001) };
+const time: Figure = { text: inMinutes, shown: (seconds) => toStep(seconds, minute_s) };
+const instant: Figure = {
+  text: (at_s) => shortTime(1000 * at_s), shown: (at_s) => minute_s * Math.floor(at_s / minute_s), difference: inMinutes,
+};
+const count: Figure = { text: String, shown: (value) => value };
+const length: Figure = { text: distance, shown: shownDistance_m };
+const turn: Figure = { text: (value) => `${turnFigure(value)} m`, shown: Math.ceil };
+const encounters: Figure = { text: (value) => value.toFixed(2), shown: (value) => toStep(value, 0.01) };
 
 const columns: Column[] = [
-  { title: 'Arrival', value: (plan) => Date.parse(plan.arrival) / 1000, text: (at_s) => shortTime(1000 * at_s), size: time },
-  { title: 'Travel time', value: (plan) => plan.travel_time_s, text: time },
-  { title: 'Distance', value: (plan) => plan.distance_m, text: distance },
-  { title: 'Below ice', value: belowIce_m, text: distance },
-  { title: 'Time below ice', value: belowIce_s, text: time },
-  { title: 'Longest without a place to surface', value: ({ surfacing }) => surfacing?.longest_without_surfacing_s ?? null, text: time },
-  { title: 'Waypoints without surfacing', value: closedWaypoints, text: count },
-  { title: 'Deepest turn below ice', value: deepestTurn_m, text: (value) => `${turnFigure(value)} m` },
-  { title: 'Surfacings', value: ({ surfacing }) => surfacing?.planned.length ?? null, text: count },
-  { title: 'Energy', value: (plan) => plan.energy_j, text: energy },
-  { title: 'Battery used', value: ({ energy: battery, energy_j }) => (battery && energy_j !== null ? energy_j / battery.usable_j : null), text: percent },
-  { title: 'Waypoints', value: (plan) => plan.waypoints.length, text: count },
-  { title: 'Nearest iceberg', value: (plan) => plan.clearances.iceberg_m, text: distance },
-  { title: 'Nearest land', value: (plan) => plan.clearances.land_m, text: distance },
-  { title: 'Above sea bed', value: (plan) => plan.clearances.bottom_m, text: distance },
-  { title: 'Iceberg encounters', value: ({ iceberg_encounters }) => iceberg_encounters ?? null, text: (value) => value.toFixed(2) },
-  { title: 'Optimality gap', value: (plan) => plan.optimality_gap, text: percent },
-  { title: 'Dangers', value: (plan) => ofRank(plan, 'danger').length, text: count },
-  { title: 'Cautions', value: (plan) => ofRank(plan, 'caution').length, text: count },
+  { title: 'Arrival', value: (plan) => Date.parse(plan.arrival) / 1000, ...instant },
+  { title: 'Travel time', value: (plan) => plan.travel_time_s, ...time },
+  { title: 'Distance', value: (plan) => plan.distance_m, ...length },
+  { title: 'Below ice', value: belowIce_m, ...length },
+  { title: 'Time below ice', value: belowIce_s, ...time },
+  { title: 'Longest without a place to surface', value: ({ surfacing }) => surfacing?.longest_without_surfacing_s ?? null, ...time },
+  { title: 'Waypoints without surfacing', value: closedWaypoints, ...count },
+  { title: 'Deepest turn below ice', value: deepestTurn_m, ...turn },
+  { title: 'Surfacings', value: ({ surfacing }) => surfacing?.planned.length ?? null, ...count },
+  { title: 'Energy', value: (plan) => plan.energy_j, text: energy, shown: shownEnergy_j },
+  { title: 'Battery used', value: ({ energy: battery, energy_j }) => (battery && energy_j !== null ? energy_j / battery.usable_j : null), ...percent },
+  { title: 'Waypoints', value: (plan) => plan.waypoints.length, ...count },
+  { title: 'Nearest iceberg', value: (plan) => plan.clearances.iceberg_m, ...length },
+  { title: 'Nearest land', value: (plan) => plan.clearances.land_m, ...length },
+  { title: 'Above sea bed', value: (plan) => plan.clearances.bottom_m, ...length },
+  { title: 'Iceberg encounters', value: ({ iceberg_encounters }) => iceberg_encounters ?? null, ...encounters },
+  { title: 'Optimality gap', value: (plan) => plan.optimality_gap, ...percent },
+  { title: 'Dangers', value: (plan) => ofRank(plan, 'danger').length, ...count },
+  { title: 'Cautions', value: (plan) => ofRank(plan, 'caution').length, ...count },
 ];
 
-/** The difference of two values as they are shown, so that the figures of a column agree; ±0 also if it is smaller than the last digit. */
-function differenceOf({ text, size = text }: Column, value: number, base: number, greatest: number): string {
-  const difference = Math.abs(value - base);
-  return size(difference, greatest) === size(0, greatest) ? '±0' : `${value < base ? '−' : '+'}${size(difference, greatest)}`;
+/** The difference of two values as they are shown, so that the figures of a column agree. */
+function differenceOf({ text, shown, difference = text }: Column, value: number, base: number, greatest: number): string {
+  const more = shown(value, greatest) - shown(base, greatest);
+  const size = difference(Math.abs(more), greatest);
+  return size === difference(0, greatest) ? '±0' : `${more < 0 ? '−' : '+'}${size}`;
 }
 
 /** Inputs and data of a plan as texts, which are compared. */
