@@ -28,13 +28,17 @@ std::optional<core::Metres> Bathymetry::shoalest(geo::LonLat place) const {
 std::optional<core::Metres> Bathymetry::shoalest_at(geo::GridPoint point) const {
   const auto position = grid_.locate_point(point);
   if (!position) return std::nullopt;
+  return shoalest_at(*position);
+}
+
+std::optional<core::Metres> Bathymetry::shoalest_at(const GridPosition& position) const {
   const std::size_t nx = grid_.x().size();
-  const auto depth_m = bilinear(depth_m_, nx, *position);
+  const auto depth_m = bilinear(depth_m_, nx, position);
   if (!depth_m) return std::nullopt;
   if (shoalest_m_.empty()) return core::Metres{*depth_m};
   double least_m = *depth_m;
-  for (const std::size_t iy : {position->y.lower, position->y.upper}) {
-    for (const std::size_t ix : {position->x.lower, position->x.upper}) {
+  for (const std::size_t iy : {position.y.lower, position.y.upper}) {
+    for (const std::size_t ix : {position.x.lower, position.x.upper}) {
       const auto node_m = static_cast<double>(shoalest_m_[iy * nx + ix]);
       if (node_m < least_m) least_m = node_m;  // a missing node (NaN) compares as false
     }

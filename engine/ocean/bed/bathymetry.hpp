@@ -26,6 +26,7 @@ class Bathymetry {
   [[nodiscard]] std::optional<core::Metres> shoalest(geo::LonLat place) const;
   /// `point` is in the coordinates of the grid.
   [[nodiscard]] std::optional<core::Metres> shoalest_at(geo::GridPoint point) const;
+  [[nodiscard]] std::optional<core::Metres> shoalest_at(const GridPosition& position) const;
   [[nodiscard]] const HorizontalGrid& grid() const { return grid_; }
   [[nodiscard]] const std::vector<float>& depth_m() const { return depth_m_; }
   [[nodiscard]] bool knows_shoaler_cells() const { return !shoalest_m_.empty(); }

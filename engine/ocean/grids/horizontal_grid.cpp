@@ -31,19 +31,24 @@ std::optional<GridPosition> HorizontalGrid::locate(geo::LonLat place) const {
 }
 
 std::optional<GridPosition> HorizontalGrid::locate_point(geo::GridPoint point) const {
-  if (std::holds_alternative<geo::GeographicFrame>(frame_)) {
-    // Longitudes count eastwards from the first node. A point west of it by a rounding error is that node.
-    const double turns = std::floor((point.x - x_.front()) / 360.0 + 1e-9);
-    point.x = std::max(point.x - 360.0 * turns, x_.front());
-  }
-
   const auto y = y_.locate(point.y);
   if (!y) return std::nullopt;
-  if (const auto x = x_.locate(point.x)) return GridPosition{*x, *y};
-  if (!wraps_) return std::nullopt;
+  const auto x = locate_column(point.x);
+  if (!x) return std::nullopt;
+  return GridPosition{*x, *y};
+}
 
+std::optional<AxisPosition> HorizontalGrid::locate_column(double x) const {
+  if (std::holds_alternative<geo::GeographicFrame>(frame_)) {
+    // Longitudes count eastwards from the first node. A point west of it by a rounding error is that node.
+    const double turns = std::floor((x - x_.front()) / 360.0 + 1e-9);
+    x = std::max(x - 360.0 * turns, x_.front());
+  }
+
+  const auto column = x_.locate(x);
+  if (column || !wraps_) return column;
   const double gap = x_.front() + 360.0 - x_.back();
-  return GridPosition{{x_.size() - 1, 0, std::clamp((point.x - x_.back()) / gap, 0.0, 1.0)}, *y};
+  return AxisPosition{x_.size() - 1, 0, std::clamp((x - x_.back()) / gap, 0.0, 1.0)};
 }
 
 geo::BoundingBox HorizontalGrid::bounds() const {

@@ -35,6 +35,8 @@ class HorizontalGrid {
   [[nodiscard]] std::optional<GridPosition> locate(geo::LonLat place) const;
   /// `point`  in the grid's own coordinates
   [[nodiscard]] std::optional<GridPosition> locate_point(geo::GridPoint point) const;
+  /// The position of a meridian or another line of constant x among the columns. Outside: nullopt.
+  [[nodiscard]] std::optional<AxisPosition> locate_column(double x) const;
   /// Smallest box of longitudes and latitudes that contains every node.
   [[nodiscard]] geo::BoundingBox bounds() const;
   /// Typical distance on the ground between neighbouring nodes, measured at the centre; the smaller of the

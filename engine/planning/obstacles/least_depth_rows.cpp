@@ -12,26 +12,20 @@ namespace {
 
 constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
 
-/// An edge of a box, or a grid line of the data that crosses it.
-struct Line {
-  double at;
-  std::optional<std::size_t> node{};
-};
-
-/// The lines at both ends of the interval, and the nodes between. With `goes_round`, nodes of the next turn
-/// are included if longitudes run on beyond the seam.
-std::vector<Line> lines_between(const ocean::Axis& axis, double from, double to, bool goes_round) {
-  std::vector<Line> lines{{from}};
+/// Appends the nodes between `from` and `to`. With `goes_round`, nodes of the next turn are included if longitudes
+/// run on beyond the seam.
+void add_nodes_between(std::vector<ocean::AxisPosition>& lines, const ocean::Axis& axis, double from,
+                       double to, bool goes_round) {
   const auto add = [&](double turn) {
     const std::vector<double>& nodes = axis.nodes();
     for (auto node = std::ranges::upper_bound(nodes, from - turn); node != nodes.end() && *node + turn < to;
-         ++node)
-      lines.push_back({*node + turn, static_cast<std::size_t>(node - nodes.begin())});
+         ++node) {
+      const auto index = static_cast<std::size_t>(node - nodes.begin());
+      lines.push_back({index, index, 0.0});
+    }
   };
   add(0.0);
   if (goes_round && to >= axis.front() + 360.0) add(360.0);
-  lines.push_back({to});
-  return lines;
 }
 
 }  // namespace
@@ -71,7 +65,7 @@ void LeastDepthRows::fill(std::int64_t iy, std::vector<Corner>& corners) const {
   }
 }
 
-float LeastDepthRows::least_of(const Corner& a, const Corner& b, const Corner& c, const Corner& d) const {
+float LeastDepthRows::least_of(const Corner& a, const Corner& b, const Corner& c, const Corner& d) {
   auto [west, east] = std::minmax({a.x, b.x, c.x, d.x});
   auto [south, north] = std::minmax({a.y, b.y, c.y, d.y});
   if (!geographic_ || east - west < 180.0) {
@@ -107,27 +101,33 @@ std::optional<float> LeastDepthRows::least_node(const Corner& a, const Corner& b
   return least_m;
 }
 
-float LeastDepthRows::least_in_box(double west, double south, double east, double north) const {
+float LeastDepthRows::least_in_box(double west, double south, double east, double north) {
   const ocean::HorizontalGrid& grid = bathymetry_.grid();
-  const std::vector<Line> xs = lines_between(grid.x(), west, east, geographic_);
-  const std::vector<Line> ys = lines_between(grid.y(), south, north, false);
-  float least_m = std::numeric_limits<float>::infinity();
   bool all_known = true;
-  for (const Line& y : ys) {
-    for (const Line& x : xs) {
-      const float depth_m = x.node && y.node ? bathymetry_.shoalest_m()[*y.node * grid.x().size() + *x.node]
-                                             : depth_at(x.at, y.at);
+  const auto add = [&](std::vector<ocean::AxisPosition>& lines, const auto& position) {
+    all_known = all_known && position.has_value();
+    if (position) lines.push_back(*position);
+  };
+  columns_of_box_.clear();
+  add(columns_of_box_, grid.locate_column(west));
+  add_nodes_between(columns_of_box_, grid.x(), west, east, geographic_);
+  add(columns_of_box_, grid.locate_column(east));
+  rows_of_box_.clear();
+  add(rows_of_box_, grid.y().locate(south));
+  add_nodes_between(rows_of_box_, grid.y(), south, north, false);
+  add(rows_of_box_, grid.y().locate(north));
+  float least_m = std::numeric_limits<float>::infinity();
+  for (const ocean::AxisPosition& row : rows_of_box_) {
+    for (const ocean::AxisPosition& column : columns_of_box_) {
+      const auto depth = bathymetry_.shoalest_at(ocean::GridPosition{column, row});
+      all_known = all_known && depth.has_value();
+      if (!depth) continue;
+      const auto depth_m = static_cast<float>(depth->value);
       if (depth_m <= 0.0F) return depth_m;
-      if (std::isnan(depth_m)) all_known = false;
-      if (depth_m < least_m) least_m = depth_m;
+      least_m = std::min(least_m, depth_m);
     }
   }
   return all_known ? least_m : unknown;
-}
-
-float LeastDepthRows::depth_at(double x, double y) const {
-  const auto depth = bathymetry_.shoalest_at({x, y});
-  return depth ? static_cast<float>(depth->value) : unknown;
 }
 
 }  // namespace floeplan::planning::obstacles

@@ -40,14 +40,12 @@ class LeastDepthRows {
   };
 
   void fill(std::int64_t iy, std::vector<Corner>& corners) const;
-  [[nodiscard]] float least_of(const Corner& a, const Corner& b, const Corner& c, const Corner& d) const;
+  [[nodiscard]] float least_of(const Corner& a, const Corner& b, const Corner& c, const Corner& d);
   /// The least depth at the nodes of the data cells under and between the corners. Empty if a corner is
   /// outside all data cells, or a node is unknown.
   [[nodiscard]] std::optional<float> least_node(const Corner& a, const Corner& b, const Corner& c,
                                                 const Corner& d) const;
-  [[nodiscard]] float least_in_box(double west, double south, double east, double north) const;
-  /// NaN if unknown.
-  [[nodiscard]] float depth_at(double x, double y) const;
+  [[nodiscard]] float least_in_box(double west, double south, double east, double north);
 
   const plane::PlaneRaster& raster_;
   const ocean::Bathymetry& bathymetry_;
@@ -60,6 +58,8 @@ class LeastDepthRows {
   std::vector<Corner> below_;
   std::vector<Corner> above_;
   std::vector<float> least_m_;
+  std::vector<ocean::AxisPosition> columns_of_box_;  // reused for each box
+  std::vector<ocean::AxisPosition> rows_of_box_;
 };
 
 }  // namespace floeplan::planning::obstacles
