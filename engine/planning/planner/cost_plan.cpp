@@ -20,6 +20,10 @@
 namespace floeplan::planning::planner {
 namespace {
 
+/// A difference of costs or travel times that counts, as a share: plans on grids of different spacings in the same
+/// currents differ by about as much. A judgement.
+constexpr double much = 0.01;
+
 constexpr const char* no_gap = "only plans for the least time are compared with the best possible route";
 
 /// The route to publish and the results of its refinement.
@@ -188,7 +192,11 @@ bool was_cut_short(const Result<Plan>& plan) {
 /// The cheaper of the known plan and the result of a search. If the search was cut short, the plan gets a
 /// message.
 Result<Plan> better_of(Result<Plan> known, Result<Plan> found, const Objective& objective) {
-  if (costs_less(found, known, objective) || !known) return found;
+  if (costs_less(found, known, objective) || !known) {
+    const bool is_as_early = known && found->travel_time() <= (1.0 + much) * known->travel_time();
+    if (is_as_early && known->search.none_is_earlier) found->search.none_is_earlier = true;
+    return found;
+  }
   if (was_cut_short(found)) known->messages.push_back(messages::plan_message<"cost-search-cut-short">());
   return known;
 }
@@ -242,9 +250,8 @@ Result<Plan> search_least_cost_plan(const KnownPlan& known, const Task& task) {
   on_the_move.holds.longest = core::Seconds{0.0};
   const Objective objective = request.objective();
   // A search with larger steps takes a third of the time or less, and refinement makes up for the steps. But
-  // large steps may close passages that the known plan uses. So a coarse result that costs 1 % more than the
-  // known plan does not count. A judgement.
-  constexpr double much = 0.01;
+  // large steps may close passages that the known plan uses. So a coarse result that costs much more than the
+  // known plan does not count.
   const bool may_be_coarse =
       known.plan && request.refine && request.method != Method::direct && !request.spacing_along;
   Result<Plan> best = known.plan;
