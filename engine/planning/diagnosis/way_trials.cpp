@@ -14,6 +14,7 @@
 #include "engine/planning/search/bounds/foresight.hpp"
 #include "engine/planning/search/chart.hpp"
 #include "engine/planning/search/grid/grid_travel.hpp"
+#include "engine/planning/search/holding/hold_anywhere.hpp"
 #include "engine/planning/search/holding/hold_search.hpp"
 #include "engine/planning/search/surfacing/surfacing_search.hpp"
 
@@ -71,6 +72,8 @@ class GridTrial {
   }
 
  private:
+  using TimedClosures = search::Foresight::TimedClosures;
+
   /// Finds a route without regard to the limit on the time without surfacing.
   std::vector<geo::PlanePoint> unbounded_way(core::Seconds depart) {
     const auto untimed = [this](const graph::Edge& edge, core::Seconds leaves, core::Seconds latest) {
@@ -78,10 +81,11 @@ class GridTrial {
                                                   leaves, latest);
     };
     const search::GridTravelTime timed{sea_, open_.grid};
-    if (cost::holds_may_help(sea_)) return way_with_holds(depart, untimed);
-    if (!sea_.domain().closures().any_timed()) return likely_or_earliest_way(depart, timed).path;
+    if (cost::holds_may_help(sea_)) return way_with_holds(depart);
+    if (!sea_.domain().closures().any_timed())
+      return likely_or_earliest_way(depart, timed, TimedClosures::ignored).path;
 
-    Way way = likely_or_earliest_way(depart, untimed);
+    Way way = likely_or_earliest_way(depart, untimed, TimedClosures::ignored);
     if (way.path.empty() || cost::schedule_along(sea_, way.path, depart)) return std::move(way.path);
     // Detours round an obstacle are seldom longer than this factor. Places that cannot be on such a detour
     // are not checked.
@@ -124,20 +128,21 @@ class GridTrial {
   }
 
   /// The probably best route if it is open, otherwise the earliest one.
+  /// `timed`: how the times of legs treat closures that end
   template <class LegTimes>
-  Way likely_or_earliest_way(core::Seconds depart, const LegTimes& leg_times) {
+  Way likely_or_earliest_way(core::Seconds depart, const LegTimes& leg_times, TimedClosures timed) {
     if (foresight_.is_useful()) {
-      Way way = likely_way(depart, leg_times);
+      Way way = likely_way(depart, leg_times, timed);
       if (!way.path.empty()) return way;
     }
     return way_by<TowardsEarliestWay>(depart, whenever, leg_times);
   }
 
   template <class LegTimes>
-  Way likely_way(core::Seconds depart, const LegTimes& leg_times) {
+  Way likely_way(core::Seconds depart, const LegTimes& leg_times, TimedClosures timed) {
     const auto times = rationed(leg_times);
     Way way{.path = {open_.grid.point(open_.grid.start)}, .arrival = depart};
-    const std::vector<graph::Edge> edges = foresight_.likely_way(depart, stop_, {});
+    const std::vector<graph::Edge> edges = foresight_.likely_way(depart, stop_, {.timed = timed});
     for (const graph::Edge& edge : edges) {
       const auto time = times(edge, way.arrival, whenever);
       if (!time) return {};
@@ -175,13 +180,16 @@ class GridTrial {
   }
 
   /// A route with holds, or a route without holds if a hold would be longer than allowed.
-  template <class LegTimes>
-  std::vector<geo::PlanePoint> way_with_holds(core::Seconds depart, const LegTimes& untimed) {
-    Way at_once = likely_or_earliest_way(depart, untimed);
-    if (!at_once.path.empty() && cost::schedule_along(sea_, at_once.path, depart))
-      return std::move(at_once.path);
+  std::vector<geo::PlanePoint> way_with_holds(core::Seconds depart) {
+    const core::Metres straight{
+        geo::distance_m(open_.grid.point(open_.grid.start), open_.grid.point(open_.grid.goal))};
+    const search::HoldAnywhereTime held_anywhere{sea_, open_.grid, foresight_,
+                                                 cost::end_of_looks(sea_, depart, straight)};
+    Way likely = likely_or_earliest_way(depart, held_anywhere, TimedClosures::waited_for);
+    if (!likely.path.empty() && cost::schedule_along(sea_, likely.path, depart))
+      return std::move(likely.path);
     search::HeldWay held = search::search_held_way(
-        sea_, open_, depart, whenever, stop_, {},
+        sea_, open_, foresight_, depart, whenever, stop_, {},
         {.most_entries = search::limits_of_a_hold_search.most_entries,
          .most_looks = std::min(search::limits_of_a_hold_search.most_looks,
                                 left_ / (work_of_a_leg * search::leg_times_of_a_look))});

@@ -13,8 +13,8 @@
 #include "engine/planning/cost/route_cost.hpp"
 #include "engine/planning/search/bounds/foresight.hpp"
 #include "engine/planning/search/grid/grid_travel.hpp"
+#include "engine/planning/search/holding/hold_anywhere.hpp"
 #include "engine/planning/search/holding/hold_search.hpp"
-#include "engine/planning/search/holding/later_departure.hpp"
 #include "engine/planning/search/surfacing/surfacing_search.hpp"
 
 namespace floeplan::planning::search {
@@ -22,6 +22,7 @@ namespace {
 
 using graph::Edge;
 using graph::Vertex;
+using TimedClosures = Foresight::TimedClosures;
 
 /// Edge travel times for the paper's left column: every edge has the travel time of the departure from the
 /// start.
@@ -43,27 +44,43 @@ void add_work(SearchStatistics& sum, const SearchStatistics& earlier) {
 }
 
 /// The true arrival of a route that is probably close to the best; infinite if no open one is found.
-/// `timed_closures`: whether the travel times include closures that end
+/// `timed`: how the travel times treat closures that end
 template <class TravelTime>
-core::Seconds likely_arrival(Foresight& foresight, const TravelTime& travel_time, bool timed_closures,
+core::Seconds likely_arrival(Foresight& foresight, const TravelTime& travel_time, TimedClosures timed,
                              core::Seconds depart, const std::stop_token& stop) {
   constexpr std::size_t most_barred =
       8;  // attempts; each avoids the edge that closed the one before, far quicker than a search
   constexpr core::Seconds never{INFINITY};
-  Foresight::Minding minding{.timed_closures = timed_closures};
-  while (minding.barred.size() < most_barred) {
-    const std::vector<Edge> way = foresight.likely_way(depart, stop, minding);
-    if (way.empty()) return never;
-    core::Seconds now = depart;
-    const auto closed = std::ranges::find_if(way, [&](const Edge& edge) {
+  constexpr double most_slower = 1.02;  // of the last route now: slower, and a new estimate pays
+  core::Seconds now = depart;
+  const auto first_closed = [&](const std::vector<Edge>& way) {
+    now = depart;
+    return std::ranges::find_if(way, [&](const Edge& edge) {
       const auto time = travel_time(edge, now, never);
       if (time) now += *time;
       return !time;
     });
+  };
+  const Foresight::KnownWay& last = foresight.last_way(timed);
+  const bool is_open = !last.edges.empty() && first_closed(last.edges) == last.edges.end();
+  if (is_open && now - depart <= most_slower * last.time) return now;
+  Foresight::Minding minding{.timed = timed};
+  while (minding.barred.size() < most_barred) {
+    const std::vector<Edge> way = foresight.likely_way(depart, stop, minding);
+    if (way.empty()) return never;
+    const auto closed = first_closed(way);
     if (closed == way.end()) return now;
     minding.barred.push_back(*closed);
   }
   return never;
+}
+
+/// The edges of the path that a search found to the goal.
+std::vector<Edge> edges_to(const graph::GridGraph& graph, const graph::SearchTree& tree, Vertex goal) {
+  std::vector<Edge> way;
+  const std::vector<Vertex> path = graph::path_to(graph, tree, goal);
+  for (std::size_t i = 1; i < path.size(); ++i) way.push_back({path[i - 1], path[i], tree.step(path[i])});
+  return way;
 }
 
 void describe_end(RouteSearch& result, const cost::Sea& sea, const cost::RouteGrid& grid,
@@ -96,20 +113,19 @@ void describe_end(RouteSearch& result, const cost::Sea& sea, const cost::RouteGr
   }
 }
 
-/// The best route when closures that end are ignored, timed with all closures.
-struct UntimedWay {
-  bool is_best{false};         // no closure delays it
+/// A route of the earliest possible arrival, timed with all closures.
+struct Timed {
+  bool is_best{false};         // it arrives about then
   double arrival_s{INFINITY};  // with the holds that the closures need; infinite if it is closed
 };
 
-UntimedWay timed_without_delay(const cost::Sea& sea, const std::vector<geo::PlanePoint>& path,
-                               core::Seconds depart, double least_s) {
+Timed timed(const cost::Sea& sea, const OpenGrid& open, const std::vector<geo::PlanePoint>& path,
+            core::Seconds depart, double least_s) {
   if (path.empty()) return {};
   const auto schedule = cost::schedule_along(sea, path, depart);
   if (!schedule) return {};
-  const bool waits =
-      std::ranges::any_of(schedule->waits, [](core::Seconds wait) { return wait.count() > 0.0; });
-  return {!waits, std::max(least_s, schedule->arrivals.back().count())};
+  const double arrival_s = std::max(least_s, schedule->arrivals.back().count());
+  return {arrival_s <= least_s + slack_of_holds(sea, open).count(), arrival_s};
 }
 
 /// Whether a leg that the current closed may open in time: a vehicle that holds until then may still reach
@@ -137,24 +153,6 @@ void take_earlier(RouteSearch& result, HeldWay held) {
     result.statistics.possible_gain = std::max(core::Seconds{0.0}, result.arrival - held.none_before);
 }
 
-/// For a goal that is closed until after the vehicle could be there: replaces the route by one that departs
-/// later.
-/// Returns  whether no earlier arrival is possible
-bool is_best_departing_later(RouteSearch& result, const cost::Sea& sea, const OpenGrid& open,
-                             core::Seconds unhindered, core::Seconds depart, const std::stop_token& stop) {
-  const std::vector<TimeSpan> closed = sea.domain().closures().closed_times(open.grid.point(open.grid.goal));
-  const core::Seconds opens = open_from(closed, unhindered);
-  if (!std::isfinite(opens.count()) || opens <= unhindered) return false;
-  const auto is_best = [&] { return result.arrival <= opens + slack_of_holds(sea, open); };
-  if (!is_best()) take_earlier(result, search_later_departure(sea, open, depart, opens, stop));
-  // On another grid the vehicle might arrive slightly earlier. If the goal is also closed for the last
-  // twentieth of the travel time, this makes no difference.
-  constexpr double faster_at_most = 0.95;
-  const bool is_closed_then = open_from(closed, depart + faster_at_most * (unhindered - depart)) == opens;
-  result.statistics.none_is_earlier = is_best() && is_closed_then;
-  return is_best();
-}
-
 /// The search without a limit on the time without surfacing.
 RouteSearch search_unbounded(const cost::Sea& sea, const OpenGrid& open, const PlanRequest& request,
                              core::Seconds depart, const std::stop_token& stop,
@@ -173,15 +171,15 @@ RouteSearch search_unbounded(const cost::Sea& sea, const OpenGrid& open, const P
     const auto vertices = static_cast<double>(std::max<std::int64_t>(1, result.statistics.vertices));
     report_fraction(std::min(1.0, static_cast<double>(expansions) / vertices));
   };
+  std::optional<Foresight> own_foresight;
+  Foresight& foresight = kept_foresight != nullptr ? *kept_foresight : own_foresight.emplace(sea, open);
   // Gives the same result as a search with the straight-line bound, but visits fewer vertices.
-  const auto search_ahead = [&](const auto& travel_time, bool timed_closures) -> graph::SearchTree {
+  const auto search_ahead = [&](const auto& travel_time, TimedClosures timed) -> graph::SearchTree {
     const bool towards_goal = request.method == Method::astar;
-    std::optional<Foresight> own_foresight;
-    Foresight& foresight = kept_foresight != nullptr ? *kept_foresight : own_foresight.emplace(sea, open);
     if (foresight.is_useful()) {
       graph::Query in_time = query;
       if (std::isinf(query.latest.count())) {
-        in_time.latest = likely_arrival(foresight, travel_time, timed_closures, depart, stop);
+        in_time.latest = likely_arrival(foresight, travel_time, timed, depart, stop);
         refused.edges.clear();
       }
       if (std::isfinite(in_time.latest.count()) && !stop.stop_requested()) {
@@ -197,6 +195,8 @@ RouteSearch search_unbounded(const cost::Sea& sea, const OpenGrid& open, const P
             });
         if (tree.stopped || (tree.is_reached(grid.goal) && !may_open_later)) {
           refused.edges.clear();  // holding until a leg reopens would arrive too late
+          foresight.last_way(timed) = {edges_to(graph, tree, grid.goal),
+                                       core::Seconds{tree.arrival_s(grid.goal)} - depart};
           return tree;
         }
       }
@@ -207,11 +207,11 @@ RouteSearch search_unbounded(const cost::Sea& sea, const OpenGrid& open, const P
     }
     return graph::find_earliest_arrivals(graph, query, travel_time, stop, EdgeBound{straight}, report);
   };
-  const auto search = [&](const auto& travel_time, bool timed_closures) -> graph::SearchTree {
+  const auto search = [&](const auto& travel_time, TimedClosures timed) -> graph::SearchTree {
     switch (request.method) {
       case Method::tve: return graph::find_earliest_arrivals_tve(graph, query, travel_time, stop, report);
       case Method::dijkstra:
-      case Method::astar: return search_ahead(travel_time, timed_closures);
+      case Method::astar: return search_ahead(travel_time, timed);
       case Method::frozen:
         return graph::find_earliest_arrivals(graph, query, FrozenTravelTime{{sea, grid}, depart}, stop,
                                              EdgeBound{straight}, report);
@@ -229,35 +229,47 @@ RouteSearch search_unbounded(const cost::Sea& sea, const OpenGrid& open, const P
     result.arrival = core::Seconds{tree.arrival_s(grid.goal)};
   };
 
-  // If no timed closure touches the best route without them, it is also the best route with them.
+  // No vehicle arrives earlier than one that may hold anywhere, or, without holds, one that no closure stops. If
+  // the vehicle of the request can travel that one's best route as early, nothing is earlier.
   const bool in_time = sea.domain().closures().any_timed() && request.method != Method::frozen;
-  graph::SearchTree tree = in_time ? search(UntimedTravelTime{sea, grid, &refused}, false)
-                                   : search(GridTravelTime{sea, grid, &refused}, false);
-  adopt(tree);
-  const auto untimed_way = in_time ? timed_without_delay(sea, result.path, depart, tree.arrival_s(grid.goal))
-                                   : UntimedWay{.is_best = true, .arrival_s = tree.arrival_s(grid.goal)};
-  const bool is_hindered = !result.path.empty() && !untimed_way.is_best;
-  const bool opens_later = may_open_in_time(refused, straight, result.arrival);
   const bool holds_may_help = cost::holds_may_help(sea) && request.method != Method::frozen;
+  const core::Metres straight_way{geo::distance_m(grid.point(grid.start), grid.point(grid.goal))};
+  const auto search_freely = [&] {
+    if (!in_time) return search(GridTravelTime{sea, grid, &refused}, TimedClosures::ignored);
+    if (!holds_may_help) return search(UntimedTravelTime{sea, grid, &refused}, TimedClosures::ignored);
+    const core::Seconds until = cost::end_of_looks(sea, depart, straight_way);
+    return search(HoldAnywhereTime{sea, grid, foresight, until, &refused}, TimedClosures::waited_for);
+  };
+  graph::SearchTree tree = search_freely();
+  adopt(tree);
+  const Timed best_of_all = in_time ? timed(sea, open, result.path, depart, result.arrival.count())
+                                    : Timed{.is_best = true, .arrival_s = result.arrival.count()};
+  const bool is_hindered = !result.path.empty() && !best_of_all.is_best;
+  const bool opens_later = may_open_in_time(refused, straight, result.arrival);
+  if (in_time && best_of_all.is_best) {
+    result.arrival = core::Seconds{best_of_all.arrival_s};
+    // On another grid the vehicle might arrive slightly earlier. If the goal is closed for the last twentieth of
+    // the travel time, this makes no difference.
+    constexpr double faster_at_most = 0.95;
+    const core::Seconds there = depart + faster_at_most * (result.arrival - depart);
+    result.statistics.none_is_earlier =
+        foresight.open_from(grid.goal, there) + slack_of_holds(sea, open) >= result.arrival;
+  }
   if (is_hindered && !result.cancelled) {
-    RouteSearch untimed = result;
-    untimed.arrival = core::Seconds{untimed_way.arrival_s};  // with the holds that the closures need
-    const core::Seconds unhindered{tree.arrival_s(grid.goal)};
-    if (holds_may_help && is_best_departing_later(untimed, sea, open, unhindered, depart, stop))
-      return untimed;
-    if (untimed.cancelled) return untimed;
-    tree = search(GridTravelTime{sea, grid, &refused}, true);
+    RouteSearch with_holds = result;
+    with_holds.arrival = core::Seconds{best_of_all.arrival_s};
+    tree = search(GridTravelTime{sea, grid, &refused}, TimedClosures::avoided);
     adopt(tree);
-    if (untimed.arrival < result.arrival) {
-      result.path = std::move(untimed.path);
-      result.arrival = untimed.arrival;
+    if (with_holds.arrival < result.arrival) {
+      result.path = std::move(with_holds.path);
+      result.arrival = with_holds.arrival;
     }
   }
   if (holds_may_help && (is_hindered || opens_later) && !result.cancelled) {
     graph::IntervalLimits limits = limits_of_a_hold_search;
     if (!result.path.empty()) limits.most_looks = most_looks_for_better;
-    take_earlier(result,
-                 search_held_way(sea, open, depart, std::min(latest, result.arrival), stop, report, limits));
+    const core::Seconds before = std::min(latest, result.arrival);
+    take_earlier(result, search_held_way(sea, open, foresight, depart, before, stop, report, limits));
   }
   const bool anything_opens = sea.domain().closures().any_timed() ||
                               (sea.domain().currents() && sea.domain().currents()->time_step());

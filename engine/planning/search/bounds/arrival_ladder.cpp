@@ -11,11 +11,10 @@ constexpr std::size_t most_ladder_values = 4'000'000;  // 32 MB: one double for 
 
 }  // namespace
 
-ArrivalLadder::ArrivalLadder(Foresight& foresight, VertexClosures& closures, const OpenGrid& open,
-                             core::Seconds depart, core::Seconds last, const std::stop_token& stop,
-                             std::size_t rungs)
+ArrivalLadder::ArrivalLadder(Foresight& foresight, const OpenGrid& open, core::Seconds depart,
+                             core::Seconds last, const std::stop_token& stop, std::size_t rungs)
     : foresight_{foresight}, base_s_{depart.count()} {
-  const graph::SearchTree earliest = foresight_.sweep_forth(depart, last, stop, closures);
+  const graph::SearchTree earliest = foresight_.sweep_forth(depart, last, stop);
   has_hope_ = earliest.is_reached(open.grid.goal);
   if (!has_hope_) return;
   base_s_ = std::min(earliest.arrival_s(open.grid.goal) - rounding_of_times_s, last.count());
@@ -30,7 +29,7 @@ ArrivalLadder::ArrivalLadder(Foresight& foresight, VertexClosures& closures, con
   until_s_.resize(open.graph.size() * count);
   for (std::size_t rung = 0; rung < count && !stop.stop_requested(); ++rung) {
     const graph::SearchTree tree =
-        foresight_.sweep_back(depart, core::Seconds{rungs_s_[rung]}, stop, closures, earliest);
+        foresight_.sweep_back(depart, core::Seconds{rungs_s_[rung]}, stop, earliest);
     for (graph::Vertex v = 0; v < open.graph.size(); ++v) {
       until_s_[v * count + rung] = rounding_of_times_s - tree.arrival_s(v);
     }

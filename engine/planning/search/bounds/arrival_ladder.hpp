@@ -18,11 +18,11 @@ namespace floeplan::planning::search {
 class ArrivalLadder {
  public:
   /// `foresight` is borrowed and must outlive the ladder; precondition: `foresight.is_useful()`. `last`:
-  /// later arrivals are of no use. `closures`: of the vertices of the grid. `rungs`: their largest number.
-  /// Each rung costs one backward search; a single rung gives only the latest useful time of each vertex.
+  /// later arrivals are of no use. `rungs`: their largest number. Each rung costs one backward search; a single
+  /// rung gives only the latest useful time of each vertex.
   /// Once `stop` is requested the ladder stays incomplete and must not be used.
-  ArrivalLadder(Foresight& foresight, VertexClosures& closures, const OpenGrid& open, core::Seconds depart,
-                core::Seconds last, const std::stop_token& stop, std::size_t rungs = most_rungs);
+  ArrivalLadder(Foresight& foresight, const OpenGrid& open, core::Seconds depart, core::Seconds last,
+                const std::stop_token& stop, std::size_t rungs = most_rungs);
 
   static constexpr std::size_t most_rungs = 24;
 

@@ -18,27 +18,16 @@ namespace floeplan::planning::search {
 /// Threads    const members may be called from several threads at once
 class FavourableBound {
  public:
-  /// Direction of `remaining`: to the goal or, for time-reversed searches, from the start.
-  enum class Way { to_goal, from_start };
-
   /// `sea` and `open` are borrowed and must outlive this object. Once `stop` is requested it must not be
   /// used.
-  FavourableBound(const cost::Sea& sea, const OpenGrid& open, const std::stop_token& stop,
-                  Way way = Way::to_goal)
+  FavourableBound(const cost::Sea& sea, const OpenGrid& open, const std::stop_token& stop)
       : left_s_(open.graph.size(), graph::SearchTree::never) {
     const FavourableGrid grid{sea, open};  // it is large, so only the results are kept
-    const bool to_goal = way == Way::to_goal;
-    left_s_[to_goal ? open.grid.goal : open.grid.start] = 0.0;
+    left_s_[open.grid.goal] = 0.0;
     lower_times(left_s_, graph::SearchTree::never, stop,
                 [&](graph::Vertex v, double time_s, const auto& visit) {
-                  const auto lower = [&](const graph::Edge& edge, double edge_s) {
-                    visit(to_goal ? edge.tail : edge.head, time_s + edge_s);
-                  };
-                  if (to_goal) {
-                    grid.for_each_edge_to(v, lower);
-                  } else {
-                    grid.for_each_edge_from(v, lower);
-                  }
+                  grid.for_each_edge_to(
+                      v, [&](const graph::Edge& edge, double edge_s) { visit(edge.tail, time_s + edge_s); });
                 });
     for (std::size_t step = 0; step < open.graph.offsets().size(); ++step)
       straight_s_.push_back(

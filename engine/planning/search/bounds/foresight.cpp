@@ -70,7 +70,8 @@ Foresight::Foresight(const cost::Sea& sea, const OpenGrid& open, core::Seconds a
       ahead_{ahead},
       straight_{sea, open.grid, open.graph, open.grid.goal},
       fan_{edges_of(open)},
-      through_water_{std::max(sea.speed(sea.drives().front()), sea.speed(sea.drives().back()))} {
+      through_water_{std::max(sea.speed(sea.drives().front()), sea.speed(sea.drives().back()))},
+      closures_{sea.domain().closures(), open.grid} {
   longest_edge_ = core::Metres{static_cast<double>(std::ranges::max(fan_.length_m))};
   longest_drive_ = longest_edge_ / (slowest_share * through_water_);
   if (sea.domain().currents()) nearby_.emplace(*sea.domain().currents(), longest_edge_, longest_drive_);
@@ -119,6 +120,13 @@ const motion::FanTimes* Foresight::estimates(graph::Vertex v, core::Seconds depa
   return &times_;
 }
 
+core::Seconds Foresight::open_from(graph::Vertex v, core::Seconds time) {
+  for (const TimeSpan& closed : closures_.at(v)) {
+    if (closed.from + border < time && time < closed.until - border) return closed.until - border;
+  }
+  return time;
+}
+
 std::vector<graph::Edge> Foresight::likely_way(core::Seconds depart, const std::stop_token& stop,
                                                const Minding& minding) {
   const cost::RouteGrid& grid = open_.grid;
@@ -131,7 +139,7 @@ std::vector<graph::Edge> Foresight::likely_way(core::Seconds depart, const std::
     const geo::PlanePoint tail = grid.point(edge.tail);
     const geo::PlanePoint head = grid.point(edge.head);
     return is_barred(edge) || sea_.domain().closures().closed_between(tail, head) ||
-           (minding.timed_closures &&
+           (minding.timed == TimedClosures::avoided &&
             !sea_.domain().closures().first_clear_departure(tail, head, time, now, now));
   };
   bool is_known = false;
@@ -139,7 +147,8 @@ std::vector<graph::Edge> Foresight::likely_way(core::Seconds depart, const std::
                             bool is_new) -> std::optional<core::Seconds> {
     if (is_new) is_known = look(edge.tail, now, currents::NearbyCurrents::Film::forwards, Fidelity::estimate);
     if (!is_known) return std::nullopt;
-    const core::Seconds time{static_cast<double>(times_.time_s[edge.step])};
+    core::Seconds time{static_cast<double>(times_.time_s[edge.step])};
+    if (minding.timed == TimedClosures::waited_for) time = open_from(edge.head, now + time) - now;
     if (now + time >= latest || is_closed(edge, now, time)) return std::nullopt;
     return time;
   };
@@ -176,22 +185,16 @@ const graph::SearchTree& Foresight::until_when_of_use(core::Seconds depart, core
 }
 
 graph::SearchTree Foresight::sweep_forth(core::Seconds depart, core::Seconds arrive,
-                                         const std::stop_token& stop, VertexClosures& closures) {
+                                         const std::stop_token& stop) {
   const cost::RouteGrid& grid = open_.grid;
   const StraightBound to_goal{sea_, grid, open_.graph, grid.goal};
-  const auto when_open = [&](graph::Vertex v, core::Seconds time) {
-    for (const TimeSpan& closed : closures.at(v)) {
-      if (closed.from + border < time && time < closed.until - border) return closed.until - border;
-    }
-    return time;
-  };
   bool is_known = false;
   const auto time_fan = [&](const graph::Edge& edge, core::Seconds now, core::Seconds latest,
                             bool is_new) -> std::optional<core::Seconds> {
     if (is_new) is_known = look(edge.tail, now, currents::NearbyCurrents::Film::forwards, Fidelity::bound);
     const core::Seconds there = now + proven(edge, is_known);
     if (there >= latest) return std::nullopt;
-    const core::Seconds open = when_open(edge.head, there);
+    const core::Seconds open = open_from(edge.head, there);
     if (open >= latest ||
         sea_.domain().closures().closed_between(grid.point(edge.tail), grid.point(edge.head)))
       return std::nullopt;
@@ -204,24 +207,23 @@ graph::SearchTree Foresight::sweep_forth(core::Seconds depart, core::Seconds arr
 graph::SearchTree Foresight::sweep_back(core::Seconds depart, core::Seconds arrive,
                                         const std::stop_token& stop) {
   const StraightBound to_start{sea_, open_.grid, open_.graph, open_.grid.start};
-  return sweep_back(depart, arrive, stop, nullptr, to_start);
+  return sweep_back(depart, arrive, stop, false, to_start);
 }
 
 graph::SearchTree Foresight::sweep_back(core::Seconds depart, core::Seconds arrive,
-                                        const std::stop_token& stop, VertexClosures& closures,
-                                        const graph::SearchTree& earliest) {
-  return sweep_back(depart, arrive, stop, &closures, NotBefore{straight_, earliest});
+                                        const std::stop_token& stop, const graph::SearchTree& earliest) {
+  return sweep_back(depart, arrive, stop, true, NotBefore{straight_, earliest});
 }
 
 template <class Bound>
 graph::SearchTree Foresight::sweep_back(core::Seconds depart, core::Seconds arrive,
-                                        const std::stop_token& stop, VertexClosures* closures,
+                                        const std::stop_token& stop, bool closures_count,
                                         const Bound& bound) {
   const cost::RouteGrid& grid = open_.grid;
   // No vehicle is at a closed vertex: its latest useful time is then the beginning of the closure.
   const auto when_open = [&](graph::Vertex v, core::Seconds film_time) {
-    if (closures == nullptr) return film_time;
-    for (const TimeSpan& closed : closures->at(v)) {
+    if (!closures_count) return film_time;
+    for (const TimeSpan& closed : closures_.at(v)) {
       const bool is_closed = closed.from + border < -film_time && -film_time < closed.until - border;
       if (is_closed) return -(closed.from + border);
     }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <stop_token>
@@ -7,6 +9,7 @@
 
 #include "engine/graph/search_tree.hpp"
 #include "engine/planning/currents/nearby_currents.hpp"
+#include "engine/planning/search/bounds/favourable_bound.hpp"
 #include "engine/planning/search/grid/grid_travel.hpp"
 #include "engine/planning/search/grid/open_grid.hpp"
 #include "engine/planning/search/grid/vertex_closures.hpp"
@@ -30,15 +33,32 @@ class Foresight {
   /// Whether these bounds are sharper than a straight line with the strongest current from astern.
   [[nodiscard]] bool is_useful() const { return !nearby_ || nearby_->is_useful(); }
 
+  /// How a route treats places that are closed for a while.
+  enum class TimedClosures {
+    ignored,
+    avoided,    // no drive at constant speed along an edge may meet one
+    waited_for  // nobody arrives at a closed vertex before it reopens
+  };
   /// What an estimated route avoids, besides places that are always closed.
   struct Minding {
-    bool timed_closures{false};         // closures that a drive at constant speed along an edge would meet
+    TimedClosures timed{TimedClosures::ignored};
     std::vector<graph::Edge> barred{};  // a few edges that must not be used
   };
   /// A route from start to goal, edge by edge, that is probably close to the best. It may turn out to be
   /// closed. Empty if none is found, or once `stop` is requested.
   [[nodiscard]] std::vector<graph::Edge> likely_way(core::Seconds depart, const std::stop_token& stop,
                                                     const Minding& minding);
+
+  /// A route that a search found, and its travel time then.
+  struct KnownWay {
+    std::vector<graph::Edge> edges;
+    core::Seconds time{};
+  };
+  /// The last route that a search with these closures found; empty: none. It is likely for another departure,
+  /// too.
+  [[nodiscard]] KnownWay& last_way(TimedClosures timed) {
+    return last_ways_[static_cast<std::size_t>(timed)];
+  }
 
   /// The latest useful times at vertices for a vehicle that leaves the start at `depart` and must reach the
   /// goal by `arrive`. The tree is the result of a time-reversed search: its arrival at a vertex is minus the
@@ -52,14 +72,24 @@ class Foresight {
   /// The earliest arrivals at vertices after leaving the start at `depart`. A vertex that is not reached is
   /// of no use for an arrival at the goal by `arrive`. A closed vertex is reached when it reopens.
   [[nodiscard]] graph::SearchTree sweep_forth(core::Seconds depart, core::Seconds arrive,
-                                              const std::stop_token& stop, VertexClosures& closures);
+                                              const std::stop_token& stop);
   /// The latest useful times for exactly these two times; not cached. Unlike in `until_when_of_use`, closed
   /// vertices cannot be entered. If a vehicle cannot wait until a vertex reopens and still arrive, it must be
   /// there before the vertex closes.
   /// `earliest`: result of `sweep_forth` for the same departure and the same or a later arrival
   [[nodiscard]] graph::SearchTree sweep_back(core::Seconds depart, core::Seconds arrive,
-                                             const std::stop_token& stop, VertexClosures& closures,
-                                             const graph::SearchTree& earliest);
+                                             const std::stop_token& stop, const graph::SearchTree& earliest);
+
+  /// Bounds that hold at any time, made at the first call. Once `stop` is requested they must not be used.
+  [[nodiscard]] const FavourableBound& at_any_time(const std::stop_token& stop) {
+    if (!at_any_time_) at_any_time_.emplace(sea_, open_, stop);
+    return *at_any_time_;
+  }
+  /// The closed times of the grid's vertices.
+  [[nodiscard]] VertexClosures& closures() { return closures_; }
+  /// When somebody who reaches the vertex at `time`, or waits for it to reopen, can be there: at `time`, or at
+  /// the end of the closure, less a few seconds for the error of integrated times.
+  [[nodiscard]] core::Seconds open_from(graph::Vertex v, core::Seconds time);
 
   /// Estimated times of the edges out of a vertex, by step of the grid, for a departure at `depart` with this
   /// propulsion. Closed edges get long times.
@@ -84,7 +114,7 @@ class Foresight {
                                              const std::stop_token& stop);
   template <class Bound>
   [[nodiscard]] graph::SearchTree sweep_back(core::Seconds depart, core::Seconds arrive,
-                                             const std::stop_token& stop, VertexClosures* closures,
+                                             const std::stop_token& stop, bool closures_count,
                                              const Bound& bound);
   struct Found {
     core::Seconds depart;
@@ -101,6 +131,9 @@ class Foresight {
   core::MetresPerSecond through_water_;             // with the fastest propulsion
   std::optional<currents::NearbyCurrents> nearby_;  // empty: still water
   std::optional<Found> found_;
+  VertexClosures closures_;
+  std::array<KnownWay, 3> last_ways_;
+  std::optional<FavourableBound> at_any_time_;
   motion::FanTimes times_{};
   graph::Vertex tail_{no_vertex};  // tail of the edges that `least_time` timed last
   bool tail_is_known_{false};

@@ -111,8 +111,8 @@ float CostOutlook::between(Moment moment, Vertex v) const {
 }
 
 CostOutlook::CostOutlook(const cost::Sea& sea, const OpenGrid& open, const Objective& objective,
-                         Foresight& foresight, VertexClosures& closures, const ArrivalLadder& use,
-                         core::Seconds depart, core::Seconds last, const std::stop_token& stop)
+                         Foresight& foresight, const ArrivalLadder& use, core::Seconds depart,
+                         core::Seconds last, const std::stop_token& stop)
     : vertices_{open.graph.size()},
       slices_{lay_slices(depart, last, vertices_)},
       rest_(slices_.count * vertices_, unknown) {
@@ -141,7 +141,7 @@ CostOutlook::CostOutlook(const cost::Sea& sea, const OpenGrid& open, const Objec
     float* const here = &rest_[k * vertices_];
     if (!is_last) std::copy_n(here + vertices_, vertices_, here);
     here[grid.goal] = 0.0F;
-    const auto is_closed = [&](Vertex v) { return is_closed_at(closures, v, now); };
+    const auto is_closed = [&](Vertex v) { return is_closed_at(foresight.closures(), v, now); };
     for (const Vertex v : order) {
       if (is_closed(v)) here[v] = unknown;
     }

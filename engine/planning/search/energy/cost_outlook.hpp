@@ -27,7 +27,7 @@ class CostOutlook {
   /// `use` gives the latest useful times of the vertices. All three are used only during construction. Once
   /// `stop` is requested the outlook must not be used.
   CostOutlook(const cost::Sea& sea, const OpenGrid& open, const Objective& objective, Foresight& foresight,
-              VertexClosures& closures, const ArrivalLadder& use, core::Seconds depart, core::Seconds last,
+              const ArrivalLadder& use, core::Seconds depart, core::Seconds last,
               const std::stop_token& stop);
 
   /// Estimated cost from the vertex at `t_s` to the goal, by the objective; infinite where no route was

@@ -134,7 +134,7 @@ class KnownLimit {
     const auto end = sea.domain().currents() ? sea.domain().currents()->end() : std::nullopt;
     last_ = std::min(last_, end.value_or(last_));
     const std::size_t rungs = is_steered(open) ? 1 : ArrivalLadder::most_rungs;
-    ladder_.emplace(guide.foresight(), guide.closures(), open, depart, last_, stop, rungs);
+    ladder_.emplace(guide.foresight(), open, depart, last_, stop, rungs);
     if (ladder_->has_hope()) limit_ = CostVoyage::Limit{(1.0 + rounding) * cost, &*ladder_};
   }
   KnownLimit(const KnownLimit&) = delete;
@@ -166,8 +166,8 @@ const CostOutlook& CostGuide::outlook(const Objective& objective, core::Seconds 
   if (!outlook_ || depart < from_ || last > until_ + beyond_outlook) {
     from_ = depart;
     until_ = last + ahead_;
-    const ArrivalLadder use{foresight_, closures_, open_, from_, until_, stop, 1};
-    outlook_.emplace(sea_, open_, objective, foresight_, closures_, use, from_, until_, stop);
+    const ArrivalLadder use{foresight_, open_, from_, until_, stop, 1};
+    outlook_.emplace(sea_, open_, objective, foresight_, use, from_, until_, stop);
   }
   return *outlook_;
 }

@@ -29,14 +29,9 @@ class CostGuide {
   /// `sea` and `open` are borrowed and must outlive this. `ahead`: time from the first departure to the last
   /// one.
   CostGuide(const cost::Sea& sea, const OpenGrid& open, core::Seconds ahead = core::Seconds{0.0})
-      : sea_{sea},
-        open_{open},
-        ahead_{ahead},
-        closures_{sea.domain().closures(), open.grid},
-        foresight_{sea, open} {}
+      : sea_{sea}, open_{open}, ahead_{ahead}, foresight_{sea, open} {}
 
   [[nodiscard]] Foresight& foresight() { return foresight_; }
-  [[nodiscard]] VertexClosures& closures() { return closures_; }
   /// The outlook for routes between `depart` and `last`. It is computed at the first call, and again for
   /// times that it does not cover.
   /// Precondition: the foresight is useful. Once `stop` is requested the guide must not be used.
@@ -47,7 +42,6 @@ class CostGuide {
   const cost::Sea& sea_;
   const OpenGrid& open_;
   core::Seconds ahead_;
-  VertexClosures closures_;
   Foresight foresight_;
   std::optional<CostOutlook> outlook_;
   core::Seconds from_{};  // period of the outlook

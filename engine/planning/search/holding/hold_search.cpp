@@ -6,7 +6,6 @@
 #include "engine/planning/cost/hold_times.hpp"
 #include "engine/planning/cost/sea_intervals.hpp"
 #include "engine/planning/search/bounds/favourable_bound.hpp"
-#include "engine/planning/search/bounds/foresight.hpp"
 
 namespace floeplan::planning::search {
 namespace {
@@ -43,29 +42,28 @@ struct TowardsGoalInTime {
 class HeldWaySearch {
  public:
   /// `within`: from the departure to the latest arrival. All references are borrowed.
-  HeldWaySearch(const cost::Sea& sea, const OpenGrid& open, TimeSpan within, const std::stop_token& stop,
-                const graph::ExpansionCallback& report, const graph::IntervalLimits& limits)
+  HeldWaySearch(const cost::Sea& sea, const OpenGrid& open, Foresight& foresight, TimeSpan within,
+                const std::stop_token& stop, const graph::ExpansionCallback& report,
+                const graph::IntervalLimits& limits)
       : sea_{sea},
         open_{open},
+        foresight_{foresight},
         within_{within},
         stop_{stop},
         report_{report},
-        limits_{limits},
-        foresight_{sea, open},
-        closures_{sea.domain().closures(), open.grid} {}
+        limits_{limits} {}
 
   HeldWay run() {
-    const graph::SearchTree earliest = foresight_.sweep_forth(within_.from, within_.until, stop_, closures_);
+    const graph::SearchTree earliest = foresight_.sweep_forth(within_.from, within_.until, stop_);
     const core::Seconds least{earliest.arrival_s(open_.grid.goal)};
     held_.none_before = least;
     const bool hopeless = least + core::Seconds{limits_.slack_s} >= within_.until;
     if (hopeless || stop_.stop_requested()) return ended();
-    const FavourableBound favourable{sea_, open_, stop_};
+    const FavourableBound& favourable = foresight_.at_any_time(stop_);
     core::Seconds more = looked_for_first * (least - within_.from);
     for (core::Seconds arrive = within_.from; arrive < within_.until && !is_over(); more *= then_further) {
       arrive = std::min(least + more, within_.until);
-      const graph::SearchTree until_when =
-          foresight_.sweep_back(within_.from, arrive, stop_, closures_, earliest);
+      const graph::SearchTree until_when = foresight_.sweep_back(within_.from, arrive, stop_, earliest);
       if (stop_.stop_requested()) break;
       look_for(arrive, {favourable, earliest, until_when});
     }
@@ -108,12 +106,11 @@ class HeldWaySearch {
 
   const cost::Sea& sea_;
   const OpenGrid& open_;
+  Foresight& foresight_;
   TimeSpan within_;
   const std::stop_token& stop_;
   const graph::ExpansionCallback& report_;
   graph::IntervalLimits limits_;
-  Foresight foresight_;
-  VertexClosures closures_;
   std::vector<graph::Visit> way_;
   HeldWay held_;
 };
@@ -126,14 +123,14 @@ core::Seconds slack_of_holds(const cost::Sea& sea, const OpenGrid& open) {
   return core::Seconds{std::min(most_left_s, least_gain_by_holds * (straight / sea.through_water()).count())};
 }
 
-HeldWay search_held_way(const cost::Sea& sea, const OpenGrid& open, core::Seconds depart,
-                        core::Seconds latest, const std::stop_token& stop,
+HeldWay search_held_way(const cost::Sea& sea, const OpenGrid& open, Foresight& foresight,
+                        core::Seconds depart, core::Seconds latest, const std::stop_token& stop,
                         const graph::ExpansionCallback& report, graph::IntervalLimits limits) {
   const core::Metres straight{
       geo::distance_m(open.grid.point(open.grid.start), open.grid.point(open.grid.goal))};
   const core::Seconds last = std::min(latest, cost::end_of_looks(sea, depart, straight));
   limits.slack_s = slack_of_holds(sea, open).count();
-  return HeldWaySearch{sea, open, {depart, last}, stop, report, limits}.run();
+  return HeldWaySearch{sea, open, foresight, {depart, last}, stop, report, limits}.run();
 }
 
 }  // namespace floeplan::planning::search

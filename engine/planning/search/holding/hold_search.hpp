@@ -7,6 +7,7 @@
 #include "engine/graph/interval_search.hpp"
 #include "engine/graph/search_tree.hpp"
 #include "engine/planning/cost/sea.hpp"
+#include "engine/planning/search/bounds/foresight.hpp"
 #include "engine/planning/search/grid/open_grid.hpp"
 
 namespace floeplan::planning::search {
@@ -37,9 +38,10 @@ inline constexpr graph::IntervalLimits limits_of_a_hold_search{.most_entries = 3
 /// time. If the route found needs a longer hold at one place than the request allows, there is no result. The
 /// search cannot limit holds itself: the vehicle could move from place to place to keep each hold short. The
 /// limit on the time without surfacing is ignored.
+/// `foresight` of this grid, kept between searches. It does not change the result.
 /// Stops  early once `stop` is requested, and says so
-[[nodiscard]] HeldWay search_held_way(const cost::Sea& sea, const OpenGrid& open, core::Seconds depart,
-                                      core::Seconds latest, const std::stop_token& stop,
+[[nodiscard]] HeldWay search_held_way(const cost::Sea& sea, const OpenGrid& open, Foresight& foresight,
+                                      core::Seconds depart, core::Seconds latest, const std::stop_token& stop,
                                       const graph::ExpansionCallback& report = {},
                                       graph::IntervalLimits limits = limits_of_a_hold_search);
 

@@ -82,7 +82,6 @@ class Searches {
         since_surfacing_{since_surfacing},
         stop_{stop},
         report_fraction_{report_fraction},
-        closures_{sea.domain().closures(), open.grid},
         reach_{sea, open, depart, since_surfacing, stop},
         foresight_{sea, reach_.grid()},
         has_hope_{reach_.has_hope()} {
@@ -97,7 +96,7 @@ class Searches {
   /// route.
   void look_ahead(core::Seconds last) {
     if (!foresight_.is_useful()) return;
-    ladder_ = std::make_unique<ArrivalLadder>(foresight_, closures_, reach_.grid(), depart_, last, stop_);
+    ladder_ = std::make_unique<ArrivalLadder>(foresight_, reach_.grid(), depart_, last, stop_);
     if (ladder_->has_hope()) return;
     ladder_.reset();
     has_hope_ = false;
@@ -109,9 +108,10 @@ class Searches {
   }
   /// A route close to the best that reaches the goal before `before`.
   [[nodiscard]] Labels find_best(Pass pass, core::Seconds before, std::size_t most_labels) {
-    const Openings openings = sea_.domain().closures().any_timed()
-                                  ? Openings{sea_, reach_.grid(), before, stop_, &closures_, ladder_.get()}
-                                  : Openings{};
+    const Openings openings =
+        sea_.domain().closures().any_timed()
+            ? Openings{sea_, reach_.grid(), before, stop_, &foresight_.closures(), ladder_.get()}
+            : Openings{};
     return find({.pass = pass, .slack = sea_.edge_tolerance(), .before = before}, openings, most_labels);
   }
 
@@ -128,7 +128,7 @@ class Searches {
     const OpenGrid& open = reach_.grid();
     SurfacingVoyage voyage{sea_,
                            open,
-                           {closures_, openings, reach_, ladder_.get()},
+                           {foresight_.closures(), openings, reach_, ladder_.get()},
                            resolution,
                            wanted.before,
                            wanted.aim,
@@ -153,7 +153,6 @@ class Searches {
   const std::function<void(double)>& report_fraction_;
   static constexpr double most_searches = 1.0 + std::size(passes);  // search for any route, then the passes
   int searches_{0};                                                 // number of searches begun
-  VertexClosures closures_;
   SurfacingReach reach_;
   Foresight foresight_;
   bool has_hope_;

@@ -27,8 +27,7 @@ TEST(ArrivalLadder, IsNeverLaterThanAnArrivalThatIsPossible) {
     const double best_s = all.arrival_s(waters.grid.goal);
     const core::Seconds last{best_s + 0.3 * (best_s - depart.count())};
     Foresight foresight{waters.sea, waters.open};
-    VertexClosures closures{waters.sea.domain().closures(), waters.grid};
-    ArrivalLadder ladder{foresight, closures, waters.open, depart, last, {}};
+    ArrivalLadder ladder{foresight, waters.open, depart, last, {}};
     ASSERT_TRUE(ladder.has_hope());
 
     for (int i = 0; i < 20; ++i) {
@@ -70,8 +69,7 @@ TEST(ArrivalLadder, IsNeverLaterThanAWayAmongIcebergsThatDrift) {
     ++found;
     const double arrival_s = tree.arrival_s(waters.grid.goal);
     Foresight foresight{waters.sea, waters.open};
-    VertexClosures closures{waters.sea.domain().closures(), waters.grid};
-    const ArrivalLadder ladder{foresight, closures, waters.open, depart, core::Seconds{1.2 * arrival_s}, {}};
+    const ArrivalLadder ladder{foresight, waters.open, depart, core::Seconds{1.2 * arrival_s}, {}};
 
     ASSERT_TRUE(ladder.has_hope());
     for (const Vertex v : graph::path_to(waters.open.graph, tree, waters.grid.goal)) {
@@ -86,15 +84,12 @@ TEST(ArrivalLadder, HasNoHopeOfAnArrivalThatNoVehicleMakes) {
   const Waters waters{{.currents = support::currents_from(
                            [](geo::LonLat, double) { return geo::VelocityEn{{-0.05}, {0.0}}; }, 120)}};
   Foresight foresight{waters.sea, waters.open};
-  VertexClosures closures{waters.sea.domain().closures(), waters.grid};
   const double straight_s = 40'000.0 / (waters.sea.through_water().value - 0.05);
 
-  EXPECT_FALSE((
-      ArrivalLadder{foresight, closures, waters.open, core::Seconds{0.0}, core::Seconds{0.9 * straight_s}, {}}
-          .has_hope()));
-  EXPECT_TRUE((
-      ArrivalLadder{foresight, closures, waters.open, core::Seconds{0.0}, core::Seconds{1.1 * straight_s}, {}}
-          .has_hope()));
+  EXPECT_FALSE((ArrivalLadder{foresight, waters.open, core::Seconds{0.0}, core::Seconds{0.9 * straight_s}, {}}
+                    .has_hope()));
+  EXPECT_TRUE((ArrivalLadder{foresight, waters.open, core::Seconds{0.0}, core::Seconds{1.1 * straight_s}, {}}
+                   .has_hope()));
 }
 
 }  // namespace

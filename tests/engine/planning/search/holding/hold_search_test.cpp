@@ -11,6 +11,7 @@
 #include "engine/planning/cost/hold_times.hpp"
 #include "engine/planning/cost/route_cost.hpp"
 #include "engine/planning/plan_route.hpp"
+#include "engine/planning/search/route_search.hpp"
 #include "tests/engine/planning/drifting_bergs.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
@@ -104,7 +105,8 @@ TEST(HoldSearch, IsNeverLaterThanAnyWayThatBruteForceFinds) {
     const OpenGrid open = open_grid(sea.domain(), scene.grid, 1, {});
     const core::Seconds expected = by_brute_force(sea, open);
 
-    const HeldWay held = search_held_way(sea, open, at_departure, whenever, {});
+    Foresight foresight{sea, open};
+    const HeldWay held = search_held_way(sea, open, foresight, at_departure, whenever, {});
 
     EXPECT_FALSE(held.full || held.cancelled);
     if (expected == whenever) return;
@@ -118,6 +120,31 @@ TEST(HoldSearch, IsNeverLaterThanAnyWayThatBruteForceFinds) {
   });
   EXPECT_GT(found, 8);
   EXPECT_GT(holds, 3);
+}
+
+TEST(HoldSearch, IsNeededOnlyWhereTheRouteOfAVehicleThatHoldsAnywhereIsLater) {
+  int found = 0;
+  support::for_each_seed(12, [&](std::mt19937_64& rng) {
+    const TidalScene scene{rng};
+    const cost::Sea sea = scene.sea();
+    const OpenGrid open = open_grid(sea.domain(), scene.grid, 1, {});
+    const core::Seconds expected = by_brute_force(sea, open);
+    Foresight foresight{sea, open};
+    const HeldWay held = search_held_way(sea, open, foresight, at_departure, whenever, {});
+
+    const RouteSearch route =
+        search_route(sea, open, scene.request, at_departure, {}, [](double) {}, whenever, at_departure);
+
+    if (expected == whenever) return;
+    ++found;
+    ASSERT_FALSE(route.path.empty()) << expected.count() / hour_s;
+    EXPECT_LE(route.arrival.count(), expected.count() + 60.0);
+    EXPECT_GE(route.arrival.count(), held.arrival.count() - 60.0);
+    const auto schedule = cost::schedule_along(sea, route.path, at_departure);
+    ASSERT_TRUE(schedule);
+    EXPECT_NEAR(schedule->arrivals.back().count(), route.arrival.count(), 1.0);
+  });
+  EXPECT_GT(found, 8);
 }
 
 constexpr core::Seconds two_days{48.0 * hour_s};
@@ -200,8 +227,9 @@ class HoldBeforeAGoal : public testing::Test {
   }
   [[nodiscard]] HeldWay search() const {
     const cost::Sea sea = this->sea();
-    return search_held_way(sea, open_grid(sea.domain(), grid_, request_.sectors, {}), at_departure, whenever,
-                           {});
+    const OpenGrid open = open_grid(sea.domain(), grid_, request_.sectors, {});
+    Foresight foresight{sea, open};
+    return search_held_way(sea, open, foresight, at_departure, whenever, {});
   }
   [[nodiscard]] cost::Sea sea() const {
     return {environment_, request_, projection, grid_.bounds().grown(2000.0), core::Metres{500.0}};
@@ -258,7 +286,8 @@ TEST_F(HoldBeforeAGoal, IsFoundWithoutALookAtEveryPlace) {
   const cost::Sea sea = this->sea();
   const OpenGrid open = open_grid(sea.domain(), grid_, request_.sectors, {});
 
-  const HeldWay held = search_held_way(sea, open, at_departure, whenever, {});
+  Foresight foresight{sea, open};
+  const HeldWay held = search_held_way(sea, open, foresight, at_departure, whenever, {});
 
   EXPECT_LT(held.counters.expansions, open.vertices / 2);
 }
