@@ -115,8 +115,11 @@ LonLat nearest_place(const BoundingBox& box, LonLat place) {
 }
 
 std::string bounds_text(const BoundingBox& box) {
-  return degrees_text(box.west_deg, 'E', 'W') + " to " + degrees_text(box.east_deg, 'E', 'W') + ", " +
-         degrees_text(box.south_deg, 'N', 'S') + " to " + degrees_text(box.north_deg, 'N', 'S');
+  const auto extent = [](const std::string& from, const std::string& to) {
+    return from == to ? from : from + " to " + to;
+  };
+  return extent(degrees_text(box.west_deg, 'E', 'W'), degrees_text(box.east_deg, 'E', 'W')) + ", " +
+         extent(degrees_text(box.south_deg, 'N', 'S'), degrees_text(box.north_deg, 'N', 'S'));
 }
 
 BoundingBox on_lattice(const BoundingBox& box, double step_deg) {

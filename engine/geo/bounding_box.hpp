@@ -39,7 +39,8 @@ struct BoundingBox {
 /// The place in the box with the nearest longitude and latitude to `place`; `place` itself if it is inside.
 [[nodiscard]] LonLat nearest_place(const BoundingBox& box, LonLat place);
 
-/// Text for the box, rounded to four digits: "54° W to 50° W, 68° N to 70° N".
+/// Text for the box, rounded to four digits: "54° W to 50° W, 68° N to 70° N"; "54° W to 50° W, 68° N" if two edges
+/// round to the same number.
 [[nodiscard]] std::string bounds_text(const BoundingBox& box);
 
 /// The smallest box around this one whose edges are multiples of `step_deg`; 90 must be a multiple of

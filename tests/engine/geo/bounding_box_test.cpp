@@ -42,6 +42,7 @@ TEST(BoundingBox, HasANearestPlaceAlsoAcrossTheAntimeridian) {
 
 TEST(BoundingBox, IsWrittenWithItsHemispheres) {
   EXPECT_EQ(bounds_text({-54.5, -1.0, 3.25, 69.6}), "54.5° W to 3.25° E, 1° S to 69.6° N");
+  EXPECT_EQ(bounds_text({-54.5, 73.0, 3.25, 73.001}), "54.5° W to 3.25° E, 73° N");
 }
 
 TEST(BoundingBox, OfTheWholeCircleHoldsEveryLongitude) {
