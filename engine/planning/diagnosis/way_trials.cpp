@@ -82,10 +82,9 @@ class GridTrial {
     };
     const search::GridTravelTime timed{sea_, open_.grid};
     if (cost::holds_may_help(sea_)) return way_with_holds(depart);
-    if (!sea_.domain().closures().any_timed())
-      return likely_or_earliest_way(depart, timed, TimedClosures::ignored).path;
+    if (!sea_.domain().closures().any_timed()) return likely_or_earliest_way(depart, timed).path;
 
-    Way way = likely_or_earliest_way(depart, untimed, TimedClosures::ignored);
+    Way way = likely_or_earliest_way(depart, untimed);
     if (way.path.empty() || cost::schedule_along(sea_, way.path, depart)) return std::move(way.path);
     // Detours round an obstacle are seldom longer than this factor. Places that cannot be on such a detour
     // are not checked.
@@ -127,17 +126,17 @@ class GridTrial {
     };
   }
 
-  /// The probably best route if it is open, otherwise the earliest one.
-  /// `timed`: how the times of legs treat closures that end
+  /// The probably best route if it is open, otherwise the earliest one. Closures that end do not count.
   template <class LegTimes>
-  Way likely_or_earliest_way(core::Seconds depart, const LegTimes& leg_times, TimedClosures timed) {
+  Way likely_or_earliest_way(core::Seconds depart, const LegTimes& leg_times) {
     if (foresight_.is_useful()) {
-      Way way = likely_way(depart, leg_times, timed);
+      Way way = likely_way(depart, leg_times, TimedClosures::ignored);
       if (!way.path.empty()) return way;
     }
     return way_by<TowardsEarliestWay>(depart, whenever, leg_times);
   }
 
+  /// `timed`: how the times of legs treat closures that end
   template <class LegTimes>
   Way likely_way(core::Seconds depart, const LegTimes& leg_times, TimedClosures timed) {
     const auto times = rationed(leg_times);
@@ -185,9 +184,15 @@ class GridTrial {
         geo::distance_m(open_.grid.point(open_.grid.start), open_.grid.point(open_.grid.goal))};
     const search::HoldAnywhereTime held_anywhere{sea_, open_.grid, foresight_,
                                                  cost::end_of_looks(sea_, depart, straight)};
-    Way likely = likely_or_earliest_way(depart, held_anywhere, TimedClosures::waited_for);
-    if (!likely.path.empty() && cost::schedule_along(sea_, likely.path, depart))
-      return std::move(likely.path);
+    const auto is_possible = [&](const Way& way) {
+      return !way.path.empty() && cost::schedule_along(sea_, way.path, depart).has_value();
+    };
+    if (foresight_.is_useful()) {
+      Way likely = likely_way(depart, held_anywhere, TimedClosures::waited_for);
+      if (is_possible(likely)) return std::move(likely.path);
+    }
+    Way earliest = way_by<TowardsEarliestWay>(depart, whenever, held_anywhere);
+    if (is_possible(earliest)) return std::move(earliest.path);
     search::HeldWay held = search::search_held_way(
         sea_, open_, foresight_, depart, whenever, stop_, {},
         {.most_entries = search::limits_of_a_hold_search.most_entries,
