@@ -180,13 +180,14 @@ std::vector<std::pair<std::string, Lie>> lies_of_places() {
           {"all at the same place", with_shape("/Positioning/geometryValues", {nodes})}};
 }
 
-std::vector<std::pair<std::string, Lie>> lies_of_triangles() {
-  std::vector<std::pair<std::string, Lie>> lies{
-      {"more triangles than memory", with_shape("/Positioning/triangles", {1'000'000'000'000, 3})},
-      {"triangles of four corners", with_shape("/Positioning/triangles", {2, 4})},
-      {"triangles in a row", with_shape("/Positioning/triangles", {6})},
-      {"triangles without corners", with_shape("/Positioning/triangles", {2, 0})},
-      {"triangles without area", with_shape("/Positioning/triangles", {2, 3})}};
+std::vector<std::pair<std::string, Lie>> lies_of_meshes() {
+  std::vector<std::pair<std::string, Lie>> lies = lies_of_places();
+  lies.insert(lies.end(),
+              {{"more triangles than memory", with_shape("/Positioning/triangles", {1'000'000'000'000, 3})},
+               {"triangles of four corners", with_shape("/Positioning/triangles", {2, 4})},
+               {"triangles in a row", with_shape("/Positioning/triangles", {6})},
+               {"triangles without corners", with_shape("/Positioning/triangles", {2, 0})},
+               {"triangles without area", with_shape("/Positioning/triangles", {2, 3})}});
   constexpr auto most = std::numeric_limits<std::int64_t>::max();
   for (const std::int64_t corner : {std::int64_t{-1}, static_cast<std::int64_t>(nodes), std::int64_t{1} << 32,
                                     (std::int64_t{1} << 32) + 1, most, -most})
@@ -215,6 +216,12 @@ S100Sample at_places(S100Sample sample, double data_coding_format, const std::ve
     sample.places.emplace_back(-50.0 + 0.1 * (node % 8), 60.0 + 0.05 * (node / 8));
   for (S100Sample::Record& record : sample.records) record.values = {values, std::vector<float>(nodes, 3.0F)};
   return sample;
+}
+
+S100Sample on_a_mesh(const S100Sample& good) {
+  S100Sample mesh = at_places(good, 7.0, std::vector<float>(nodes, 0.5F));
+  mesh.triangles = {{0, 1, 8}, {1, 9, 8}};
+  return mesh;
 }
 
 S100Sample levels() {
@@ -281,21 +288,9 @@ TEST_F(LyingS100, WithPlacesOrValuesThatAreNoNumbersIsRefused) {
   }
 }
 
-TEST_F(LyingS100, OfLevelsOnAMeshIsRefused) {
-  S100Sample mesh = at_places(levels(), 7.0, std::vector<float>(nodes, 0.5F));
-  mesh.triangles = {{0, 1, 8}, {1, 9, 8}};
-  auto lies = lies_of_places();
-  for (auto& lie : lies_of_triangles()) lies.push_back(std::move(lie));
-  expect_refused(mesh, std::move(lies));
-}
+TEST_F(LyingS100, OfLevelsOnAMeshIsRefused) { expect_refused(on_a_mesh(levels()), lies_of_meshes()); }
 
-TEST_F(LyingS100, OfCurrentsOnAMeshIsRefused) {
-  S100Sample mesh = at_places(currents(), 7.0, std::vector<float>(nodes, 0.5F));
-  mesh.triangles = {{0, 1, 8}, {1, 9, 8}};
-  auto lies = lies_of_places();
-  for (auto& lie : lies_of_triangles()) lies.push_back(std::move(lie));
-  expect_refused(mesh, std::move(lies));
-}
+TEST_F(LyingS100, OfCurrentsOnAMeshIsRefused) { expect_refused(on_a_mesh(currents()), lies_of_meshes()); }
 
 TEST_F(LyingS100, OfLevelsAtStationsIsRefused) { expect_refused(s104_stations(), lies_of_stations()); }
 
