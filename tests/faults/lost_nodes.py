@@ -253,7 +253,7 @@ class Line:
 
     def __init__(self, database, delay_s=0.0):
         """`delay_s`: what passes takes this long, each way."""
-        self.database, self.delay_s, self.whole, self.ends = database, delay_s, True, []
+        self.database, self.delay_s, self.is_cut, self.ends = database, delay_s, threading.Event(), []
         self.door = socket.create_server(("127.0.0.1", 0))
         self.address = f"postgresql://floeplan@127.0.0.1:{self.door.getsockname()[1]}/postgres?sslmode=disable"
         threading.Thread(target=self._accept, daemon=True).start()
@@ -261,7 +261,7 @@ class Line:
     def _accept(self):
         while True:
             near, _ = self.door.accept()
-            if not self.whole:
+            if self.is_cut.is_set():
                 near.close()
                 continue
             far = socket.socket(socket.AF_UNIX)
@@ -273,14 +273,15 @@ class Line:
     def _carry(self, source, target):
         try:
             while data := source.recv(1 << 16):
-                time.sleep(self.delay_s)  # this is the fault: the line is slow
+                if self.is_cut.wait(self.delay_s):
+                    return
                 target.sendall(data)
             target.shutdown(socket.SHUT_WR)
         except OSError:
             pass
 
     def cut(self):
-        self.whole = False
+        self.is_cut.set()
         for end in self.ends:
             try:
                 end.shutdown(socket.SHUT_RDWR)
@@ -290,7 +291,7 @@ class Line:
         self.ends = []
 
     def mend(self):
-        self.whole = True
+        self.is_cut.clear()
 
 
 def cut_off(program, folder):
