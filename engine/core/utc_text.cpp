@@ -3,6 +3,7 @@
 #include <array>
 #include <cctype>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 
 namespace floeplan::core {
@@ -151,6 +152,13 @@ std::optional<Seconds> parse_iso8601_duration(std::string_view text) {
   }
   if (parts == 0 || !reader.at_end()) return std::nullopt;
   return Seconds{total};
+}
+
+std::string hours_minutes(Seconds time) {
+  const long long minutes = std::llround(time.count() / 60.0);
+  if (minutes < 60) return std::to_string(minutes) + " min";
+  const std::string rest = std::to_string(minutes % 60);
+  return std::to_string(minutes / 60) + " h " + (rest.size() < 2 ? "0" : "") + rest + " min";
 }
 
 }  // namespace floeplan::core

@@ -21,4 +21,7 @@ namespace floeplan::core {
 /// length.
 [[nodiscard]] std::optional<Seconds> parse_iso8601_duration(std::string_view text);
 
+/// A duration of at least zero for people, rounded to whole minutes: "2 h 40 min", "12 min".
+[[nodiscard]] std::string hours_minutes(Seconds time);
+
 }  // namespace floeplan::core

@@ -70,13 +70,6 @@ std::string distance_text(core::Metres distance) {
   return text.data();
 }
 
-std::string hours_minutes(core::Seconds time) {
-  const long long minutes = std::llround(time.count() / 60.0);
-  if (minutes < 60) return std::to_string(minutes) + " min";
-  const std::string rest = std::to_string(minutes % 60);
-  return std::to_string(minutes / 60) + " h " + (rest.size() < 2 ? "0" : "") + rest + " min";
-}
-
 double document_degrees(double degrees) { return std::round(degrees * 1e7) / 1e7; }
 
 json optional_time(const std::optional<core::UtcTime>& time) {

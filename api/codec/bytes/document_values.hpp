@@ -16,9 +16,6 @@ namespace floeplan::codec {
 /// the JSON documents, and the row numbers of waypoint lists, which do not contain the start.
 [[nodiscard]] std::string waypoint_label(std::size_t index);
 
-/// Hours and minutes of a time, rounded to whole minutes: "2 h 40 min", "12 min".
-[[nodiscard]] std::string hours_minutes(core::Seconds time);
-
 /// A distance as the map shows it: "812 m" below a kilometre, "3.2 km", "142 km" from 100 km on.
 [[nodiscard]] std::string distance_text(core::Metres distance);
 

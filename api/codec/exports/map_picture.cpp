@@ -10,6 +10,7 @@
 #include "api/codec/bytes/document_values.hpp"
 #include "api/codec/documents/surfacing_document.hpp"
 #include "api/codec/exports/svg_parts.hpp"
+#include "engine/core/utc_text.hpp"
 
 namespace floeplan::codec {
 namespace {
@@ -220,7 +221,8 @@ MapPicture draw_map(const planning::Plan& plan, const std::vector<geo::Polygon>&
     const MapPicture::Point point = frame.at(plan.waypoints[i].place);
     picture.route.push_back(point);
     const core::Seconds wait = plan.waypoints[i].wait;
-    const std::string label = waypoint_label(i) + (wait.count() > 0.0 ? " hold " + hours_minutes(wait) : "");
+    const std::string label =
+        waypoint_label(i) + (wait.count() > 0.0 ? " hold " + core::hours_minutes(wait) : "");
     picture.waypoints.push_back({free_spot(point, label.size(), picture), label});
     const bool is_of_older_version = plan.surfacing && !plan.surfacing->below_ice;
     if (i > 0 && is_of_older_version && is_leg_below_ice(plan.surfacing, i))

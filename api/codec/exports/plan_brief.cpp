@@ -90,7 +90,7 @@ std::vector<std::string> hold_facts(const planning::Plan& plan) {
   std::vector<std::string> facts;
   for (std::size_t i = 0; i < plan.waypoints.size(); ++i) {
     if (const auto wait = plan.waypoints[i].wait; wait.count() > 0.0)
-      facts.push_back("Hold " + hours_minutes(wait) + " at waypoint " + waypoint_label(i) + ".");
+      facts.push_back("Hold " + core::hours_minutes(wait) + " at waypoint " + waypoint_label(i) + ".");
   }
   return facts;
 }

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/core/utc_text.hpp"
 #include "engine/geo/geodesic.hpp"
 #include "engine/geo/polygon.hpp"
 #include "engine/messages/plan_messages.hpp"
@@ -89,13 +90,9 @@ class Barrier {
 
 /// "4 min more", "3 h 05 min less", "the same time", by minutes, as the desk shows durations.
 std::string comparison_of(core::Seconds later) {
-  const std::int64_t minutes = std::llround(std::abs(later.count()) / 60.0);
-  if (minutes == 0) return "the same time";
-  const std::string within_hour = std::to_string(minutes % 60);
-  std::string text =
-      minutes < 60 ? within_hour
-                   : std::to_string(minutes / 60) + " h " + (within_hour.size() < 2 ? "0" : "") + within_hour;
-  return text + (later.count() < 0.0 ? " min less" : " min more");
+  if (std::llround(later.count() / 60.0) == 0) return "the same time";
+  return core::hours_minutes(core::Seconds{std::abs(later.count())}) +
+         (later.count() < 0.0 ? " less" : " more");
 }
 
 std::string_view name_of(ObstacleKind kind) {

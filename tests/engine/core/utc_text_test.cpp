@@ -116,5 +116,11 @@ TEST(Iso8601Duration, RefusesMonthsDisorderAndEmptiness) {
   }
 }
 
+TEST(HoursMinutes, AreRoundedToWholeMinutes) {
+  EXPECT_EQ(hours_minutes(Seconds{0.0}), "0 min");
+  EXPECT_EQ(hours_minutes(Seconds{59.6 * 60.0}), "1 h 00 min");
+  EXPECT_EQ(hours_minutes(Seconds{2.0 * 3600.0 + 40.0 * 60.0 + 29.0}), "2 h 40 min");
+}
+
 }  // namespace
 }  // namespace floeplan::core::utc_text_test
