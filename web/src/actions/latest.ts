@@ -3,7 +3,8 @@ import { loading } from '../model/field';
 
 /**
  * Keeps only the newest of several loads of the same thing: a newer load aborts the older, and a late answer of an
- * older load is ignored.
+ * older load is ignored. A load begins in a task of its own, so that no frame of a playing clock waits for it; of those
+ * begun until then only the newest is sent.
  */
 export class Latest {
   private controller: AbortController | undefined;
@@ -13,7 +14,11 @@ export class Latest {
     const controller = new AbortController();
     this.controller = controller;
     loading.value += 1;
-    load(controller.signal)
+    new Promise((begin) => setTimeout(begin))
+      .then(() => {
+        controller.signal.throwIfAborted();
+        return load(controller.signal);
+      })
       .then((value) => {
         if (!controller.signal.aborted) deliver(value);
       })

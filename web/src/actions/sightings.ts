@@ -34,9 +34,11 @@ export function followIcebergs(): void {
       latest.run(
         (signal) => api.icebergsAt(isoOf(as_of_ms), choice, signal),
         ({ features }) => {
+          const shown = icebergs.peek();
+          const newest = isSame(features, shown) ? shown : features; // in most hours
           if (remembered.size > most) remembered.clear();
-          remembered.set(key, features);
-          show(features, as_of_ms);
+          remembered.set(key, newest);
+          show(newest, as_of_ms);
         },
         () => {
           wanted = '';
@@ -46,11 +48,12 @@ export function followIcebergs(): void {
   });
 }
 
-/** Shows sightings. If they have not changed the list stays the same object, so that nothing is computed again. */
+const isSame = (some: IcebergFeature[], others: IcebergFeature[]): boolean =>
+  some.length === others.length && some.every((berg, i) => JSON.stringify(berg) === JSON.stringify(others[i]));
+
+/** Shows sightings. As long as they are the same list, nothing is computed again. */
 function show(features: IcebergFeature[], as_of_ms: number): void {
-  const before = icebergs.value;
-  const isSame = features === before || (features.length === before.length && features.every((berg, i) => JSON.stringify(berg) === JSON.stringify(before[i])));
-  if (isSame) return;
+  if (features === icebergs.value) return;
   icebergsAsOf_ms.value = as_of_ms;
   icebergs.value = features;
 }

@@ -42,31 +42,33 @@ export function decodeGrid(bytes: ArrayBuffer): Grid {
   return { ...header, values };
 }
 
-/** Column and row of a place as fractions, or undefined outside the grid. */
-function cellOf(grid: Grid, lon: number, lat: number): [x: number, y: number] | undefined {
-  const y = (lat - grid.south_deg) / grid.dy_deg;
-  let x = (lon - grid.west_deg) / grid.dx_deg;
-  const turn = 360 / grid.dx_deg;
-  if (x < 0) x += turn;
-  else if (x > grid.nx - 1 && x - turn >= 0) x -= turn;
-  if (!(x >= 0 && x <= grid.nx - 1 && y >= 0 && y <= grid.ny - 1)) return undefined;
-  return [x, y];
+/** Column of a longitude as a fraction; outside of 0 to nx - 1 where the grid does not reach it. */
+function columnOf({ west_deg, dx_deg, nx }: Grid, lon: number): number {
+  const x = (lon - west_deg) / dx_deg;
+  const turn = 360 / dx_deg;
+  if (x < 0) return x + turn;
+  return x > nx - 1 && x - turn >= 0 ? x - turn : x;
 }
 
-/** Bilinear value of one variable; NaN outside the grid or when any of the four corners is missing. */
+const mix = (from: number, to: number, share: number): number => (share === 0 ? from : from * (1 - share) + to * share);
+
+/**
+ * Bilinear value of one variable; NaN outside the grid or when any of the four corners is missing. Makes no objects,
+ * because maps sample many thousand places.
+ */
 export function sample(grid: Grid, variable: number, lon: number, lat: number): number {
-  const cell = cellOf(grid, lon, lat);
+  const { nx, ny } = grid;
   const field = grid.values[variable];
-  if (!cell || !field) return NaN;
-  const i = Math.min(Math.floor(cell[0]), Math.max(0, grid.nx - 2));
-  const j = Math.min(Math.floor(cell[1]), Math.max(0, grid.ny - 2));
-  const fx = cell[0] - i;
-  const fy = cell[1] - j;
-  const at = (di: number, dj: number): number => field[Math.min(j + dj, grid.ny - 1) * grid.nx + Math.min(i + di, grid.nx - 1)] ?? NaN;
-  const south = fx === 0 ? at(0, 0) : at(0, 0) * (1 - fx) + at(1, 0) * fx;
-  if (fy === 0) return south;
-  const north = fx === 0 ? at(0, 1) : at(0, 1) * (1 - fx) + at(1, 1) * fx;
-  return south * (1 - fy) + north * fy;
+  const x = columnOf(grid, lon);
+  const y = (lat - grid.south_deg) / grid.dy_deg;
+  if (!field || !(x >= 0 && x <= nx - 1 && y >= 0 && y <= ny - 1)) return NaN;
+  const i = Math.min(Math.floor(x), Math.max(0, nx - 2));
+  const j = Math.min(Math.floor(y), Math.max(0, ny - 2));
+  const corner = j * nx + i;
+  const [east, north] = [nx > 1 ? 1 : 0, ny > 1 ? nx : 0];
+  const south = mix(field[corner] ?? NaN, field[corner + east] ?? NaN, x - i);
+  if (y === j) return south;
+  return mix(south, mix(field[corner + north] ?? NaN, field[corner + north + east] ?? NaN, x - i), y - j);
 }
 
 /** A field at a time between two grids. */
@@ -76,9 +78,33 @@ export interface TimedPair {
   share: number; // weight of `after`, 0 to 1
 }
 
-/** Linear in time between two grids. */
-export function samplePair(pair: TimedPair, variable: number, lon: number, lat: number): number {
-  const before = sample(pair.before, variable, lon, lat);
-  if (pair.share === 0) return before;
-  return before * (1 - pair.share) + sample(pair.after, variable, lon, lat) * pair.share;
+/**
+ * One variable at fixed places. Each grid is sampled once, and a moment between two grids is blended from their samples:
+ * a playing clock passes many moments between the same two, and then the later grid becomes the earlier one.
+ */
+export class SampledPlaces {
+  private samples = new Map<Grid, Float32Array>();
+
+  constructor(private readonly variable: number, private readonly lons: Float64Array, private readonly lats: Float64Array) {}
+
+  /** The values of a grid: one for each place, NaN where it has none. Kept for the two grids that were needed last. */
+  private of(grid: Grid): Float32Array {
+    const known = this.samples.get(grid);
+    const values = known ?? new Float32Array(this.lons.length);
+    if (!known) for (let i = 0; i < values.length; ++i) values[i] = sample(grid, this.variable, this.lons[i] ?? NaN, this.lats[i] ?? NaN);
+    this.samples.delete(grid); // set again below as the newest
+    this.samples.set(grid, values);
+    for (const oldest of this.samples.keys()) if (this.samples.size > 2) this.samples.delete(oldest);
+    return values;
+  }
+
+  /** The values at a moment, linear in time between its two grids; NaN where either has none. */
+  at({ before, after, share }: TimedPair): Float32Array {
+    const first = this.of(before);
+    if (share === 0) return first;
+    const second = this.of(after);
+    const values = new Float32Array(first.length);
+    for (let i = 0; i < values.length; ++i) values[i] = mix(first[i] ?? NaN, second[i] ?? NaN, share);
+    return values;
+  }
 }

@@ -1,6 +1,7 @@
 import type { FrameState } from 'ol/Map.js';
 import Layer from 'ol/layer/Layer.js';
 import Source from 'ol/source/Source.js';
+import { LastDrawn } from './last_drawn';
 
 /** One frame to be painted, in CSS pixels with the origin at the upper left of the map. */
 export interface Frame {
@@ -30,7 +31,7 @@ type Place = readonly [number, number];
 export class CanvasLayer extends Layer {
   private readonly frame = document.createElement('div');
   private readonly canvas = document.createElement('canvas');
-  private painted = '';
+  private readonly painted = new LastDrawn();
   private paints = 0;
 
   constructor(private readonly paint: (frame: Frame) => void, zIndex: number) {
@@ -45,9 +46,7 @@ export class CanvasLayer extends Layer {
     const [width = 0, height = 0] = state.size;
     const ratio = state.pixelRatio;
     const { center, resolution, rotation } = state.viewState;
-    const wanted = [width, height, ratio, ...center, resolution, rotation, this.getRevision()].join();
-    if (wanted === this.painted) return this.frame;
-    this.painted = wanted;
+    if (this.painted.isFor(width, height, ratio, ...center, resolution, rotation, this.getRevision())) return this.frame;
     this.frame.dataset['layer'] = String(this.get('name'));
     this.frame.dataset['paints'] = String(++this.paints); // counted by tests
 

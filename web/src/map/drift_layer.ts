@@ -1,6 +1,6 @@
 import { computed, effect, type ReadonlySignal } from '@preact/signals';
 import type { IcebergDrift, Position } from '../contract/data_types';
-import { project, scaleFactor, type ProjectionCode } from '../geo/projections';
+import { project, scaleFactor } from '../geo/projections';
 import { time_ms } from '../model/clock';
 import { driftLineOf, drifts, errorAt, plainLineOf, stepsAt, ticksOf } from '../model/ice/drift';
 import { crowd, keepOut_m } from '../model/ice/icebergs';
@@ -97,23 +97,19 @@ function paintLines(frame: Frame, lines: Lines | undefined): void {
  * projections preserve angles, so a circle of some kilometres stays a circle, within a thousandth of its radius.
  */
 interface Track {
-  code: ProjectionCode;
+  drift: IcebergDrift;
   places: Position[];
   scale: number;
   observed_ms: number;
 }
 
-const tracks = new WeakMap<IcebergDrift, Track>();
-
-/** The projected forecast, cached because each clock step needs it for every berg. */
-function trackOf(drift: IcebergDrift, code: ProjectionCode): Track {
-  const known = tracks.get(drift);
-  if (known?.code === code) return known;
-  const line = driftLineOf(drift);
-  const track = { code, places: toMap(code, line), scale: scaleFactor(code, line[0] ?? [0, 0]), observed_ms: Date.parse(drift.observed) };
-  tracks.set(drift, track);
-  return track;
-}
+const tracksNow = computed<Track[]>(() => {
+  const code = projection.value;
+  return drifts.value.map((drift) => {
+    const line = driftLineOf(drift);
+    return { drift, places: toMap(code, line), scale: scaleFactor(code, line[0] ?? [0, 0]), observed_ms: Date.parse(drift.observed) };
+  });
+});
 
 /** Numbers for each berg in the list of ghosts: its expected position in the projection, and its keep-out radius there. */
 const perGhost = 3;
@@ -121,12 +117,11 @@ const perGhost = 3;
 /** In one array of numbers: a playing clock makes it anew in every frame. */
 const ghostsNow = computed<Float64Array>(() => {
   if (!isShown.value) return new Float64Array();
-  const code = projection.value;
+  const tracks = tracksNow.value;
   const minute = Math.round(time_ms.value / minute_ms) * minute_ms;
-  const ghosts = new Float64Array(perGhost * drifts.value.length);
+  const ghosts = new Float64Array(perGhost * tracks.length);
   let used = 0;
-  for (const drift of drifts.value) {
-    const { places, scale, observed_ms } = trackOf(drift, code);
+  for (const { drift, places, scale, observed_ms } of tracks) {
     const steps = minute > observed_ms ? stepsAt(drift, minute) : undefined;
     if (!steps) continue;
     const to = places[steps.after];

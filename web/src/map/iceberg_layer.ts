@@ -67,7 +67,8 @@ export function icebergLayer(): VectorLayer<VectorSource> {
   });
   const hour_ms = computed(() => Math.floor(time_ms.value / 3_600_000) * 3_600_000);
   const lookNow = (berg: IcebergFeature): Look => lookOf(berg.properties, hour_ms.value, icebergChoice.value?.max_sighting_age_days ?? sighting_days);
-  const looks = computed(() => JSON.stringify(icebergs.value.map(lookNow))); // a text, equal in most hours, so that new symbols are rare
+  const observed = computed(() => [...new Map(icebergs.value.map((berg) => [berg.properties.observed, berg])).values()]); // one berg for each time
+  const looks = computed(() => JSON.stringify(observed.value.map(lookNow))); // a text, equal in most hours, so that new symbols are rare
   effect(() => {
     const [colours] = [palette.value, looks.value]; // new symbols when either changes
     const symbols = new Map<string, RegularShape>();

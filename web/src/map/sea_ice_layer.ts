@@ -1,6 +1,6 @@
 import { computed, effect } from '@preact/signals';
 import { addAreaAbove, addLineAt, addUnknown, type Lattice } from '../geo/contours';
-import { sample, type Grid, type TimedPair } from '../geo/grid';
+import { SampledPlaces, type TimedPair } from '../geo/grid';
 import { PlaceLattice } from '../geo/place_lattice';
 import type { ProjectionCode } from '../geo/projections';
 import { playing } from '../model/clock';
@@ -74,12 +74,10 @@ interface Nodes {
   ny: number;
 }
 
-/** A thickness label: its position in lattice units and on the Earth. */
+/** A thickness label's position in lattice units. */
 interface Sounding {
   x: number;
   y: number;
-  lon: number;
-  lat: number;
 }
 
 /** The shapes at one time, in lattice units. */
@@ -99,12 +97,9 @@ type Drawn = Omit<Shapes, 'figures'>;
  */
 class Stand {
   private nodes: Nodes | undefined;
-  private lons = new Float64Array(0);
-  private lats = new Float64Array(0);
   private soundings: Sounding[] = [];
-  private grids: [Grid, Grid] | undefined;
-  private before: Float32Array = new Float32Array(0);
-  private after: Float32Array = new Float32Array(0);
+  private concentration = new SampledPlaces(0, new Float64Array(), new Float64Array());
+  private thickness_m = this.concentration;
   private drawn: { pair: TimedPair | undefined; limit: number; shapes: Shapes } | undefined;
   private making: { pair: TimedPair | undefined; limit: number; parts: Generator<undefined, Shapes> } | undefined;
 
@@ -156,30 +151,31 @@ class Stand {
 
   private settle({ code, step, left, top, nx, ny }: Nodes): void {
     const places = new PlaceLattice(code, (left - 0.5) * step, (0.5 - top) * step, step, nx, ny, exactApart);
-    this.lons = new Float64Array(nx * ny);
-    this.lats = new Float64Array(nx * ny);
+    const [lons, lats] = [new Float64Array(nx * ny), new Float64Array(nx * ny)];
     this.soundings = [];
     for (let j = 0; j < ny; ++j) {
       places.enterRow(j);
       for (let i = 0; i < nx; ++i) {
-        const [lon, lat] = [places.lon(i), places.lat(i)];
-        this.lons[j * nx + i] = lon;
-        this.lats[j * nx + i] = lat;
-        if ((left + i) % figuresApart.columns === 0 && (top + j) % figuresApart.rows === 0) this.soundings.push({ x: i, y: j, lon, lat });
+        lons[j * nx + i] = places.lon(i);
+        lats[j * nx + i] = places.lat(i);
+        if ((left + i) % figuresApart.columns === 0 && (top + j) % figuresApart.rows === 0) this.soundings.push({ x: i, y: j });
       }
     }
-    this.grids = undefined;
+    const ofSoundings = (values: Float64Array): Float64Array => Float64Array.from(this.soundings, ({ x, y }) => values[y * nx + x] ?? NaN);
+    this.concentration = new SampledPlaces(0, lons, lats);
+    this.thickness_m = new SampledPlaces(1, ofSoundings(lons), ofSoundings(lats));
     this.drawn = undefined;
     this.making = undefined;
   }
 
   private *shaped({ nx, ny }: Nodes, pair: TimedPair | undefined, limit: number): Generator<undefined, Shapes> {
-    const concentration = pair ? this.blended(pair) : new Float32Array(nx * ny).fill(NaN);
+    const concentration = pair ? this.concentration.at(pair) : new Float32Array(nx * ny).fill(NaN);
     const lattice: Lattice = { nx, ny, values: concentration };
     const shapes: Shapes = { areas: [], unknown: new Path2D(), edge: new Path2D(), limit: new Path2D(), figures: [] };
     yield;
     addUnknown(lattice, shapes.unknown);
-    const most = concentration.reduce((high, value) => (value > high ? value : high), 0);
+    let most = 0;
+    for (const value of concentration) if (value > most) most = value;
     for (const [k, level] of seaIceLevels.entries()) {
       const hatch = seaIceHatches[k];
       if (most < level || !hatch) continue;
@@ -196,27 +192,12 @@ class Stand {
     return shapes;
   }
 
-  /** Concentration at the nodes, linear between the two steps. */
-  private blended(pair: TimedPair): Float32Array {
-    if (this.grids?.[0] !== pair.before || this.grids[1] !== pair.after) {
-      this.grids = [pair.before, pair.after];
-      this.before = this.sampled(pair.before);
-      this.after = pair.after === pair.before ? this.before : this.sampled(pair.after);
-    }
-    if (pair.share === 0) return this.before;
-    return this.before.map((value, i) => value * (1 - pair.share) + (this.after[i] ?? NaN) * pair.share);
-  }
-
-  private sampled(grid: Grid): Float32Array {
-    return Float32Array.from(this.lons, (lon, i) => sample(grid, 0, lon, this.lats[i] ?? NaN));
-  }
-
-  private figures({ before, after, share }: TimedPair, { nx, values }: Lattice): Shapes['figures'] {
-    return this.soundings.flatMap(({ x, y, lon, lat }) => {
+  private figures(pair: TimedPair, { nx, values }: Lattice): Shapes['figures'] {
+    const thickness_m = this.thickness_m.at(pair);
+    return this.soundings.flatMap(({ x, y }, i) => {
       if (!((values[y * nx + x] ?? NaN) >= iceEdge)) return [];
-      const first = sample(before, 1, lon, lat);
-      const thickness_m = share === 0 ? first : first * (1 - share) + sample(after, 1, lon, lat) * share;
-      return [{ x, y, text: Number.isNaN(thickness_m) ? '?' : thickness_m.toFixed(1) }];
+      const here_m = thickness_m[i] ?? NaN;
+      return [{ x, y, text: Number.isNaN(here_m) ? '?' : here_m.toFixed(1) }];
     });
   }
 }

@@ -2,6 +2,7 @@ import type { FrameState } from 'ol/Map.js';
 import VectorLayer, { type Options } from 'ol/layer/Vector.js';
 import CanvasVectorLayerRenderer from 'ol/renderer/canvas/VectorLayer.js';
 import type VectorSource from 'ol/source/Vector.js';
+import { LastDrawn } from './last_drawn';
 
 let made = 0;
 
@@ -30,15 +31,14 @@ export class StillLayer extends VectorLayer<VectorSource> {
 }
 
 class StillRenderer extends CanvasVectorLayerRenderer {
-  private drawn = '';
+  private readonly drawn = new LastDrawn();
   private picture: HTMLElement | undefined;
 
   override renderFrame(state: FrameState): HTMLElement {
     const { center, resolution, rotation } = state.viewState;
     // At the end of a movement the features are laid out again for the same view.
-    const wanted = [...state.size, state.pixelRatio, ...center, resolution, rotation, ...state.viewHints, this.getLayer().getRevision()].join();
-    if (this.picture && wanted === this.drawn) return this.picture;
-    this.drawn = wanted;
+    const isDrawn = this.drawn.isFor(...state.size, state.pixelRatio, ...center, resolution, rotation, ...state.viewHints, this.getLayer().getRevision());
+    if (this.picture && isDrawn) return this.picture;
     return (this.picture = super.renderFrame(state, null));
   }
 }

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { decodeGrid, sample, samplePair } from '../../src/geo/grid';
+import { decodeGrid, sample, SampledPlaces, type Grid } from '../../src/geo/grid';
 
 /** A grid as the server writes it. */
 function encoded(header: Record<string, unknown>, words: number[]): ArrayBuffer {
@@ -47,9 +47,14 @@ describe('binary grids', () => {
     expect(() => decodeGrid(new ArrayBuffer(2))).toThrow(/cut short/);
   });
 
-  it('are linear in time between two', () => {
-    const [before, after] = [[0, 0, 0, 0, 0, 0, 0, 0], [100, 100, 100, 100, 0, 0, 0, 0]].map((words) => decodeGrid(encoded(currents, words)));
-    if (!before || !after) throw new Error('no grids');
-    expect(samplePair({ before, after, share: 0.25 }, 0, 10.2, 60.2)).toBeCloseTo(0.025);
+  it('are linear in time between two, at fixed places', () => {
+    const [first, second, third] = [[0, 0, 0, 0], [100, 100, 100, -32768], [300, 300, 300, 300]].map((words) => decodeGrid(encoded({ ...frame, variables: ['u_m_s'], scale: [0.001] }, words)));
+    if (!first || !second || !third) throw new Error('no grids');
+    const places = new SampledPlaces(0, Float64Array.of(10, 10.8), Float64Array.of(60, 60.8));
+    const at = (before: Grid, after: Grid, share: number): number[] => [...places.at({ before, after, share })].map((value) => Math.round(1000 * value));
+    expect(at(first, second, 0)).toEqual([0, 0]);
+    expect(at(first, second, 0.25)).toEqual([25, NaN]);
+    expect(at(second, third, 0.25)).toEqual([150, NaN]);
+    expect(at(first, third, 0.25)).toEqual([75, 75]);
   });
 });
