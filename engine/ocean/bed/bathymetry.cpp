@@ -22,7 +22,7 @@ std::optional<core::Metres> Bathymetry::depth(geo::LonLat place) const {
 }
 
 std::optional<core::Metres> Bathymetry::shoalest(geo::LonLat place) const {
-  return shoalest_at(geo::to_grid(grid_.frame(), place));
+  return shoalest_at(grid_.projection().to_grid(place));
 }
 
 std::optional<core::Metres> Bathymetry::shoalest_at(geo::GridPoint point) const {

@@ -111,7 +111,7 @@ class Tracer {
     const double share = (level_ - depths_[a]) / (static_cast<double>(depths_[b]) - depths_[a]);
     const auto& x = grid_.x();
     const auto& y = grid_.y();
-    return geo::to_lon_lat(grid_.frame(), {std::lerp(x[a % columns_], x[b % columns_], share),
+    return grid_.projection().to_lon_lat({std::lerp(x[a % columns_], x[b % columns_], share),
                                            std::lerp(y[a / columns_], y[b / columns_], share)});
   }
 

@@ -19,15 +19,15 @@ bool goes_all_the_way_round(const geo::GridFrame& frame, const Axis& x) {
 
 }  // namespace
 
-HorizontalGrid::HorizontalGrid(geo::GridFrame frame, Axis x, Axis y)
-    : frame_{frame}, x_{std::move(x)}, y_{std::move(y)}, wraps_{goes_all_the_way_round(frame_, x_)} {}
+HorizontalGrid::HorizontalGrid(const geo::GridFrame& frame, Axis x, Axis y)
+    : projection_{frame}, x_{std::move(x)}, y_{std::move(y)}, wraps_{goes_all_the_way_round(frame, x_)} {}
 
 geo::LonLat HorizontalGrid::place(std::size_t ix, std::size_t iy) const {
-  return geo::to_lon_lat(frame_, {x_[ix], y_[iy]});
+  return projection_.to_lon_lat({x_[ix], y_[iy]});
 }
 
 std::optional<GridPosition> HorizontalGrid::locate(geo::LonLat place) const {
-  return locate_point(geo::to_grid(frame_, place));
+  return locate_point(projection_.to_grid(place));
 }
 
 std::optional<GridPosition> HorizontalGrid::locate_point(geo::GridPoint point) const {
@@ -39,7 +39,7 @@ std::optional<GridPosition> HorizontalGrid::locate_point(geo::GridPoint point) c
 }
 
 std::optional<AxisPosition> HorizontalGrid::locate_column(double x) const {
-  if (std::holds_alternative<geo::GeographicFrame>(frame_)) {
+  if (std::holds_alternative<geo::GeographicFrame>(frame())) {
     // Longitudes count eastwards from the first node. A point west of it by a rounding error is that node.
     const double turns = std::floor((x - x_.front()) / 360.0 + 1e-9);
     x = std::max(x - 360.0 * turns, x_.front());
@@ -52,7 +52,7 @@ std::optional<AxisPosition> HorizontalGrid::locate_column(double x) const {
 }
 
 geo::BoundingBox HorizontalGrid::bounds() const {
-  if (std::holds_alternative<geo::GeographicFrame>(frame_)) {
+  if (std::holds_alternative<geo::GeographicFrame>(frame())) {
     if (wraps_ || x_.back() - x_.front() >= 360.0) return {-180.0, y_.front(), 180.0, y_.back()};
     return {geo::wrap_longitude(x_.front()), y_.front(), geo::wrap_longitude(x_.back()), y_.back()};
   }
@@ -69,13 +69,11 @@ geo::BoundingBox HorizontalGrid::bounds() const {
   // A node may be beside itself by the rounding of the projection.
   constexpr core::Metres rounding{1e-5};
   geo::BoundingBox box = geo::grown(geo::bounding_box(std::span<const geo::LonLat>{rim}), rounding);
-  if (const auto* polar = std::get_if<geo::PolarStereographicFrame>(&frame_)) {
-    const double pole_deg = polar->north ? 90.0 : -90.0;
-    if (locate({0.0, pole_deg})) {
-      (polar->north ? box.north_deg : box.south_deg) = pole_deg;
-      box.west_deg = -180.0;
-      box.east_deg = 180.0;
-    }
+  for (const double pole_deg : {-90.0, 90.0}) {
+    if (!locate({0.0, pole_deg})) continue;
+    (pole_deg > 0.0 ? box.north_deg : box.south_deg) = pole_deg;
+    box.west_deg = -180.0;
+    box.east_deg = 180.0;
   }
   return box;
 }

@@ -22,9 +22,11 @@ struct GridPosition {
 /// Threads  const members may be called from several threads at once
 class HorizontalGrid {
  public:
-  HorizontalGrid(geo::GridFrame frame, Axis x, Axis y);
+  HorizontalGrid(const geo::GridFrame& frame, Axis x, Axis y);
 
-  [[nodiscard]] const geo::GridFrame& frame() const { return frame_; }
+  [[nodiscard]] const geo::GridFrame& frame() const { return projection_.frame(); }
+  /// Between places and points in the grid's own coordinates.
+  [[nodiscard]] const geo::FrameProjection& projection() const { return projection_; }
   [[nodiscard]] const Axis& x() const { return x_; }
   [[nodiscard]] const Axis& y() const { return y_; }
   [[nodiscard]] std::size_t size() const { return x_.size() * y_.size(); }
@@ -44,7 +46,7 @@ class HorizontalGrid {
   [[nodiscard]] core::Metres spacing() const;
 
  private:
-  geo::GridFrame frame_;
+  geo::FrameProjection projection_;
   Axis x_;
   Axis y_;
   bool wraps_{false};

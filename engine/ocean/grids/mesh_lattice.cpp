@@ -56,13 +56,14 @@ HorizontalGrid polar_grid(const std::vector<geo::LonLat>& points, double spacing
       .north = north,
       .lat_ts_deg = north ? 70.0 : -70.0,
       .lon_0_deg = std::round(geo::wrap_longitude(box.west_deg + 0.5 * geo::width_deg(box)))};
+  const geo::FrameProjection projection{frame};
   constexpr double infinite = std::numeric_limits<double>::infinity();
   double least_x = infinite;
   double most_x = -infinite;
   double least_y = infinite;
   double most_y = -infinite;
   for (const geo::LonLat place : points) {
-    const geo::GridPoint at = geo::to_grid(frame, place);
+    const geo::GridPoint at = projection.to_grid(place);
     least_x = std::min(least_x, at.x);
     most_x = std::max(most_x, at.x);
     least_y = std::min(least_y, at.y);

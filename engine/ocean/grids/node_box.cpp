@@ -100,7 +100,7 @@ NodeBoxes::NodeBoxes(const HorizontalGrid& grid, const Mesh& mesh)
 
 NodeBoxes::Position NodeBoxes::position_of(geo::LonLat point) const {
   if (!is_geographic_) {
-    const geo::GridPoint at = geo::to_grid(grid_.frame(), point);
+    const geo::GridPoint at = grid_.projection().to_grid(point);
     return {(at.x - grid_.x().front()) / step_x_, (at.y - grid_.y().front()) / step_y_};
   }
   const double middle_deg = 0.5 * (grid_.x().front() + grid_.x().back());

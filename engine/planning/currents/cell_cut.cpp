@@ -16,10 +16,11 @@ constexpr std::size_t most_trial_nodes = 1 << 18;  // limit at one time: some te
 
 std::vector<vehicle::DiveBand> bands_over(const FlownDepths& depths, const geo::GridFrame& frame,
                                           const plane::NodeWindow& window, int parts) {
+  const geo::FrameProjection projection{frame};
   std::vector<vehicle::DiveBand> bands;
   for (const double y : cut_axis(window.y, parts)) {
     for (const double x : cut_axis(window.x, parts))
-      bands.push_back(depths.at(geo::to_lon_lat(frame, {x, y})));
+      bands.push_back(depths.at(projection.to_lon_lat({x, y})));
   }
   return bands;
 }

@@ -14,7 +14,10 @@ constexpr double jump_deg = 90.0;  // a table cell spans less, unless longitude 
 
 GridLookup::GridLookup(const geo::GridFrame& frame, const geo::LocalProjection& projection,
                        const PlaneBox& area, const std::stop_token& stop)
-    : frame_{frame}, projection_{projection}, low_{area.low} {
+    : frame_{frame},
+      is_geographic_{std::holds_alternative<geo::GeographicFrame>(frame)},
+      projection_{projection},
+      low_{area.low} {
   const double extent = std::max(area.width_m(), area.height_m());
   const double step = std::max(finest_step_m, extent / most_cells_a_side);
   inverse_step_ = 1.0 / step;
@@ -28,20 +31,42 @@ GridLookup::GridLookup(const geo::GridFrame& frame, const geo::LocalProjection& 
     }
   }
   nodes_.resize(nx_ * ny_);
-  if (!std::holds_alternative<geo::GeographicFrame>(frame_)) return;
-  for (std::size_t i = 1; i < nodes_.size() && !has_jump_; ++i) {
-    has_jump_ = (i % nx_ != 0 && std::abs(nodes_[i].x - nodes_[i - 1].x) > jump_deg) ||
-                (i >= nx_ && std::abs(nodes_[i].x - nodes_[i - nx_].x) > jump_deg);
+  if (stop.stop_requested()) return;
+  if (is_geographic_) {
+    std::vector<double> longitudes_deg;
+    longitudes_deg.reserve(nodes_.size());
+    for (const geo::GridPoint& node : nodes_) longitudes_deg.push_back(node.x);
+    has_jump_ = jumps_among(longitudes_deg);
+  } else if (const auto cut_deg = frame_.cut_deg()) {
+    std::vector<double> from_cut_deg;
+    from_cut_deg.reserve(nodes_.size());
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      const geo::LonLat place = projection_.to_lon_lat(
+          {low_.x_m + step * static_cast<double>(i % nx_), low_.y_m + step * static_cast<double>(i / nx_)});
+      const double east_deg = geo::longitude_difference(*cut_deg, place.lon_deg);
+      from_cut_deg.push_back(east_deg < 0.0 ? east_deg + 360.0 : east_deg);
+    }
+    has_jump_ = jumps_among(from_cut_deg);
   }
+}
+
+bool GridLookup::jumps_among(const std::vector<double>& longitudes_deg) const {
+  for (std::size_t i = 1; i < longitudes_deg.size(); ++i) {
+    const double here = longitudes_deg[i];
+    if ((i % nx_ != 0 && std::abs(here - longitudes_deg[i - 1]) > jump_deg) ||
+        (i >= nx_ && std::abs(here - longitudes_deg[i - nx_]) > jump_deg))
+      return true;
+  }
+  return false;
 }
 
 geo::GridPoint GridLookup::exact(geo::PlanePoint point) const {
   const geo::LonLat place = projection_.to_lon_lat(point);
-  if (std::holds_alternative<geo::GeographicFrame>(frame_)) {
+  if (is_geographic_) {
     const double origin = projection_.origin().lon_deg;
     return {origin + geo::longitude_difference(origin, place.lon_deg), place.lat_deg};
   }
-  return geo::to_grid(frame_, place);
+  return frame_.to_grid(place);
 }
 
 GridLookup::Cell GridLookup::cell(geo::PlanePoint point) const {
@@ -60,7 +85,7 @@ geo::GridPoint GridLookup::coordinates(geo::PlanePoint point) const {
   const geo::GridPoint& ne = corner[nx_ + 1];
   if (has_jump_) {
     const auto [least, most] = std::minmax({sw.x, se.x, nw.x, ne.x});
-    if (most - least > jump_deg) return exact(point);
+    if (!is_geographic_ || most - least > jump_deg) return exact(point);
   }
   const double south_x = sw.x + fx * (se.x - sw.x);
   const double south_y = sw.y + fx * (se.y - sw.y);

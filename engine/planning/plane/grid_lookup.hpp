@@ -15,7 +15,8 @@ namespace floeplan::planning::plane {
 /// Accuracy h^2 / (8 rho) on the ground for a table step h and a distance rho to the pole of the coordinates:
 /// below 1 m at 69 degrees with the steps of at most 2 km used up to 2000 km of extent
 /// Edges    geographic longitudes are continuous from the projection's origin, within 180 degrees of it;
-///          where they jump (beyond a pole inside the area) the map is computed exactly
+///          where they jump (beyond a pole inside the area) the map is computed exactly, and so it is where the area
+///          meets the meridian at which a conic or cylindrical projection is cut
 /// Threads  const members may be called from several threads at once
 class GridLookup {
  public:
@@ -33,7 +34,7 @@ class GridLookup {
     geo::GridPoint per_y_m;
   };
   [[nodiscard]] Surroundings around(geo::PlanePoint point) const;
-  /// Whether longitudes jump somewhere in the area.
+  /// Whether coordinates jump somewhere in the area.
   [[nodiscard]] bool has_jump() const { return has_jump_; }
   /// Largest bend of each coordinate: its second derivative along any straight line of the plane, in
   /// coordinate units per square metre. Precondition: `has_jump()` is false.
@@ -52,8 +53,11 @@ class GridLookup {
   };
   [[nodiscard]] Cell cell(geo::PlanePoint point) const;
   [[nodiscard]] geo::GridPoint exact(geo::PlanePoint point) const;
+  /// Whether the longitudes of neighbouring nodes lie far apart.
+  [[nodiscard]] bool jumps_among(const std::vector<double>& longitudes_deg) const;
 
-  geo::GridFrame frame_;
+  geo::FrameProjection frame_;
+  bool is_geographic_;
   geo::LocalProjection projection_;
   geo::PlanePoint low_;
   double inverse_step_;

@@ -101,7 +101,7 @@ std::optional<GridWindow> window_of_projected(const ocean::HorizontalGrid& grid,
     const double lat = area.south_deg + (area.north_deg - area.south_deg) * j / steps;
     std::vector<geo::GridPoint> row;
     for (int i = 0; i <= steps; ++i) {
-      const geo::GridPoint point = geo::to_grid(grid.frame(), {area.west_deg + width * i / steps, lat});
+      const geo::GridPoint point = grid.projection().to_grid({area.west_deg + width * i / steps, lat});
       if (!std::isfinite(point.x) || !std::isfinite(point.y))
         return GridWindow{whole(grid.x()), whole(grid.y())};
       x.include(point.x);

@@ -51,7 +51,8 @@ class ProducerLayouts : public StoreFixture {
     ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
     for (std::size_t j = 0; j < y.size(); j += 3)
       for (std::size_t i = 0; i < x.size(); i += 5)
-        EXPECT_NEAR(depth_at(report, geo::to_lon_lat(frame, {x[i], y[j]})), -relief(i, j), 1e-4)
+        EXPECT_NEAR(depth_at(report, geo::FrameProjection{frame}.to_lon_lat({x[i], y[j]})), -relief(i, j),
+                    1e-4)
             << i << " " << j;
   }
 };
@@ -143,7 +144,7 @@ TEST_F(ProducerLayouts, IceOfBremenIsReadWhereThePilotNamesIt) {
       .lat_ts_deg = 70.0, .lon_0_deg = -45.0, .ellipsoid = geo::hughes_1980};
   for (std::size_t j = 0; j < y.size(); j += 3)
     for (std::size_t i = 0; i < x.size(); i += 5) {
-      const geo::LonLat place = geo::to_lon_lat(frame, {x[i], y[j]});
+      const geo::LonLat place = geo::FrameProjection{frame}.to_lon_lat({x[i], y[j]});
       const auto ice = repository::FieldRepository{db_}.load_ice(report.dataset->id, at(place), std::nullopt);
       EXPECT_NEAR(ice.value().at(place, noon).value().concentration, 0.01 * percent(i, j), 1e-6)
           << i << " " << j;

@@ -23,8 +23,8 @@ GridDirections x_directions_of(const ocean::HorizontalGrid& grid) {
     for (std::size_t ix = 0; ix < grid.x().size(); ++ix) {
       const double x = grid.x()[ix];
       const double y = grid.y()[iy];
-      directions.add(geo::direction_at(grid.place(ix, iy), geo::to_lon_lat(grid.frame(), {x - step, y}),
-                                       geo::to_lon_lat(grid.frame(), {x + step, y})));
+      directions.add(geo::direction_at(grid.place(ix, iy), grid.projection().to_lon_lat({x - step, y}),
+                                       grid.projection().to_lon_lat({x + step, y})));
     }
   }
   return directions;

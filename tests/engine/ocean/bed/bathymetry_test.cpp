@@ -102,7 +102,7 @@ TEST(Bathymetry, IsAsDeepAtAPointOfItsFrameAsAtThePlaceThere) {
     const geo::GridPoint point{support::uniform(rng, 499'900.0, 500'300.0),
                                support::uniform(rng, 7'599'900.0, 7'600'200.0)};
     const auto at_point = chart.shoalest_at(point);
-    const auto at_place = chart.shoalest(geo::to_lon_lat(utm_22, point));
+    const auto at_place = chart.shoalest(geo::FrameProjection{utm_22}.to_lon_lat(point));
     ASSERT_EQ(at_point.has_value(), at_place.has_value());
     if (at_point) {
       EXPECT_NEAR(at_point->value, at_place->value, 1e-4);

@@ -120,17 +120,30 @@ TEST(HorizontalGrid, BesideThePoleIsBoundedByABoxThatHoldsItsNodes) {
   }
 }
 
+TEST(HorizontalGrid, RoundThePoleOfAnEqualAreaPlaneReachesUpToThePole) {
+  const geo::AlbersFrame arctic{.lat_1_deg = 90.0, .lat_2_deg = 90.0, .lat_0_deg = 90.0};
+  const HorizontalGrid grid{arctic, even_axis(-1e6, 1e5, 21), even_axis(-1e6, 1e5, 21)};
+
+  EXPECT_EQ(geo::width_deg(grid.bounds()), 360.0);
+  EXPECT_EQ(grid.bounds().north_deg, 90.0);
+}
+
 TEST(HorizontalGrid, FindsItsOwnNodesInAProjectedFrame) {
-  const geo::PolarStereographicFrame arctic{.north = true, .lat_ts_deg = 70.0, .lon_0_deg = -45.0};
-  const HorizontalGrid grid{arctic, even_axis(-2e6, 1e5, 11), even_axis(3e5, 1e5, 11)};
+  for (const geo::GridFrame& frame :
+       {geo::GridFrame{geo::PolarStereographicFrame{.north = true, .lat_ts_deg = 70.0, .lon_0_deg = -45.0}},
+        geo::GridFrame{geo::LambertConformalFrame{.lat_1_deg = 77.5, .lat_2_deg = 77.5, .lat_0_deg = 77.5}},
+        geo::GridFrame{geo::AlbersFrame{.lat_1_deg = 55.0, .lat_2_deg = 65.0, .lat_0_deg = 50.0}},
+        geo::GridFrame{geo::AzimuthalEqualAreaFrame{.lat_0_deg = 52.0, .lon_0_deg = 10.0}}}) {
+    const HorizontalGrid grid{frame, even_axis(-2e6, 1e5, 11), even_axis(3e5, 1e5, 11)};
 
-  const auto at = grid.locate(grid.place(4, 7));
+    const auto at = grid.locate(grid.place(4, 7));
 
-  ASSERT_TRUE(at.has_value());
-  EXPECT_EQ(at->x.lower, 4U);
-  EXPECT_EQ(at->x.fraction, 0.0);
-  EXPECT_EQ(at->y.lower, 7U);
-  EXPECT_EQ(at->y.fraction, 0.0);
+    ASSERT_TRUE(at.has_value());
+    EXPECT_EQ(at->x.lower, 4U);
+    EXPECT_EQ(at->x.fraction, 0.0);
+    EXPECT_EQ(at->y.lower, 7U);
+    EXPECT_EQ(at->y.fraction, 0.0);
+  }
 }
 
 TEST(HorizontalGrid, IsSpacedByTheSmallerOfItsTwoStepsOnTheGround) {

@@ -85,7 +85,7 @@ TEST(IceField, AnswersInAPolarStereographicGrid) {
   const IceField field{samples};
 
   EXPECT_NEAR(field.at({-45.0, 90.0}, at_hour(0.0))->concentration, 0.5, 1e-6);
-  const geo::LonLat below_the_pole = geo::to_lon_lat(frame, {0.0, -500'000.0});
+  const geo::LonLat below_the_pole = geo::FrameProjection{frame}.to_lon_lat({0.0, -500'000.0});
   EXPECT_NEAR(field.at(below_the_pole, at_hour(0.0))->concentration, 0.25, 1e-6);
   EXPECT_FALSE(field.at({135.0, 70.0}, at_hour(0.0)));
 }

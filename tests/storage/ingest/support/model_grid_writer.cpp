@@ -310,7 +310,7 @@ void write_polar_plane(const std::filesystem::path& file, const PolarOptions& op
     std::vector<double> values;
     for (const double at_y : y)
       for (const double at_x : x) {
-        const geo::LonLat here = geo::to_lon_lat(frame, {at_x, at_y});
+        const geo::LonLat here = geo::FrameProjection{frame}.to_lon_lat({at_x, at_y});
         values.push_back(is_lon ? here.lon_deg : here.lat_deg);
       }
     if (options.as_topaz)
@@ -335,7 +335,7 @@ void write_polar_plane(const std::filesystem::path& file, const PolarOptions& op
     std::vector<double> values;
     for (const double at_y : y)
       for (const double at_x : x) {
-        const geo::LonLat here = geo::to_lon_lat(frame, {at_x, at_y});
+        const geo::LonLat here = geo::FrameProjection{frame}.to_lon_lat({at_x, at_y});
         const geo::VelocityEn water = turning_sea(here);
         const double turn =
             options.along_axes ? -(here.lon_deg + 45.0) * radians : 0.0;  // of the x axis from east

@@ -343,14 +343,38 @@ TEST_F(FieldRepositoryTest, AnswersInAnyWindowAsATransverseMercatorGridDoes) {
   });
 }
 
+TEST_F(FieldRepositoryTest, AnswersInAnyWindowAsAConicOrAzimuthalGridDoes) {
+  support::for_each_seed(20, [&](std::mt19937_64& rng) {
+    const geo::GridFrame frames[] = {
+        geo::LambertConformalFrame{
+            .lat_1_deg = 60.0, .lat_2_deg = 75.0, .lat_0_deg = 69.0, .lon_0_deg = -51.0},
+        geo::AlbersFrame{.lat_1_deg = 60.0, .lat_2_deg = 75.0, .lat_0_deg = 69.0, .lon_0_deg = -51.0},
+        geo::AzimuthalEqualAreaFrame{.lat_0_deg = 69.0, .lon_0_deg = -51.0}};
+    const ocean::HorizontalGrid grid{frames[rng() % 3], axis(-150'000.0, 2'000.0, 150),
+                                     axis(-120'000.0, 2'000.0, 120)};
+    const ocean::Bathymetry whole = store_noise(rng, grid);
+    for (int i = 0; i < 10; ++i) {
+      const double west = support::uniform(rng, -57.0, -46.0);
+      const double south = support::uniform(rng, 67.0, 70.5);
+      expect_same_inside(
+          rng, whole,
+          {west, south, west + support::uniform(rng, 0.0, 5.0), south + support::uniform(rng, 0.0, 2.0)});
+    }
+    expect_same_inside(rng, whole, everywhere);
+  });
+}
+
 TEST_F(FieldRepositoryTest, ReadsOnlyAPartOfAProjectedGrid) {
-  std::mt19937_64 rng{1};
-  const geo::GridFrame frame = geo::PolarStereographicFrame{true, 70.0, -45.0, 0.0, 0.0};
-  store_noise(rng, {frame, axis(-3e6, 10'000.0, 600), axis(-3e6, 10'000.0, 600)});
+  for (const geo::GridFrame& frame :
+       {geo::GridFrame{geo::PolarStereographicFrame{true, 70.0, -45.0, 0.0, 0.0}},
+        geo::GridFrame{geo::AlbersFrame{90.0, 90.0, 90.0, -45.0}}}) {
+    std::mt19937_64 rng{1};
+    store_noise(rng, {frame, axis(-3e6, 10'000.0, 600), axis(-3e6, 10'000.0, 600)});
 
-  const auto window = fields_.load_bathymetry(id_, {-54.0, 68.5, -50.0, 70.0});
+    const auto window = fields_.load_bathymetry(id_, {-54.0, 68.5, -50.0, 70.0});
 
-  EXPECT_LT(window->grid().size(), 600U);
+    EXPECT_LT(window->grid().size(), 600U);
+  }
 }
 
 TEST_F(FieldRepositoryTest, FindsTheNodesOnTheRimOfAGridInDegrees) {
@@ -373,7 +397,9 @@ TEST_F(FieldRepositoryTest, FindsTheNodesOnTheRimOfAGridInDegrees) {
 TEST_F(FieldRepositoryTest, FindsTheNodesOnTheRimOfAProjectedGrid) {
   for (const geo::GridFrame& frame :
        {geo::GridFrame{geo::PolarStereographicFrame{true, 75.0, 0.0}},
-        geo::GridFrame{geo::TransverseMercatorFrame{.lon_0_deg = -51.0, .false_easting_m = 500'000.0}}}) {
+        geo::GridFrame{geo::TransverseMercatorFrame{.lon_0_deg = -51.0, .false_easting_m = 500'000.0}},
+        geo::GridFrame{geo::LambertConformalFrame{.lon_0_deg = -51.0}},
+        geo::GridFrame{geo::AzimuthalEqualAreaFrame{.lat_0_deg = 10.0, .lon_0_deg = -51.0}}}) {
     const double north_m = std::holds_alternative<geo::PolarStereographicFrame>(frame) ? -2.2e6 : 7.6e6;
     std::mt19937_64 rng{1};
     const ocean::HorizontalGrid grid{frame, axis(4e5, 200.0, 40), axis(north_m, 200.0, 30)};

@@ -330,7 +330,7 @@ TEST_F(TideFile, OfTmdNamesItsConstituentsAndItsProjection) {
   EXPECT_THAT(report.dataset->variables, ElementsAre("M2", "K1"));
   const auto shape = repository::FieldRepository{db_}.shape(report.dataset->id);
   const ocean::HorizontalGrid& grid = shape->grid;
-  const geo::LonLat inside = geo::to_lon_lat(grid.frame(), {500'500.0, -1'000'500.0});
+  const geo::LonLat inside = grid.projection().to_lon_lat({500'500.0, -1'000'500.0});
   const auto east = constants(report, TideQuantity::east, inside);
   ASSERT_TRUE(east);
   ASSERT_EQ(east->size(), 2U);
@@ -339,7 +339,7 @@ TEST_F(TideFile, OfTmdNamesItsConstituentsAndItsProjection) {
   EXPECT_LT(std::abs(east->at(0).value - std::complex<double>{0.08, 0.08}), 1e-6)
       << "the first row is the north";
   EXPECT_LT(std::abs(east->at(1).value - std::complex<double>{0.02, 0.02}), 1e-6);
-  const geo::LonLat by_land = geo::to_lon_lat(grid.frame(), {503'999.0, -1'001'999.0});
+  const geo::LonLat by_land = grid.projection().to_lon_lat({503'999.0, -1'001'999.0});
   EXPECT_NEAR(constants(report, TideQuantity::elevation, by_land)->front().value.real(), 12.0, 0.01);
   EXPECT_NEAR(constants(report, TideQuantity::east, by_land)->front().value.real(), 0.10, 0.01)
       << "no water there";
