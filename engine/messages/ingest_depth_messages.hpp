@@ -80,10 +80,8 @@ inline constexpr auto ingest_depth_kinds = std::to_array<Kind>({
          "the grid has {columns} x {rows} nodes in the projection \"{projection}\", in which every node is "
          "kept at its own place. This program accepts {most} such nodes",
      .hint = "Cut out your area first, for example with gdal_translate -projwin, which keeps the values",
-     .slots = {{{"columns", 9000},
-                {"rows", 9000},
-                {"projection", "ETRS89-extended / LAEA Europe"},
-                {"most", 2000000}}}},
+     .slots =
+         {{{"columns", 9000}, {"rows", 9000}, {"projection", "NAD83 / Alaska zone 1"}, {"most", 2000000}}}},
     {.code = "raster-of-other-values",
      .rank = Rank::caution,
      .text = "the raster holds {statistic} (\"{band}\"), not depths or elevations, so nothing was stored",

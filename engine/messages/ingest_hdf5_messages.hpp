@@ -38,7 +38,12 @@ inline constexpr auto ingest_hdf5_kinds = std::to_array<Kind>({
      .rank = Rank::caution,
      .text = "the S-100 file is in the reference system EPSG:{code}, which this program does not use",
      .hint = "Ask its producer for one in longitude and latitude (EPSG:4326), or in UTM",
-     .slots = {{{"code", "2154"}}}},
+     .slots = {{{"code", "27700"}}}},
+    {.code = "s-hundred-beyond-projection",
+     .rank = Rank::caution,
+     .text = "the grid of the S-100 file reaches beyond what the projection of its reference system can show, so "
+             "some of its nodes have no place",
+     .hint = "Check its horizontalCRS, gridOriginLongitude and gridOriginLatitude, or ask its producer"},
     {.code = "s-hundred-without-values",
      .rank = Rank::caution,
      .text = "the S-100 file holds no values of {feature}, so nothing was stored",

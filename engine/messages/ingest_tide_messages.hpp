@@ -32,7 +32,8 @@ inline constexpr auto ingest_tide_kinds = std::to_array<Kind>({
      .slots = {{{"most", 20000000}}}},
     {.code = "tide-projection-unknown",
      .rank = Rank::caution,
-     .text = "the tide \"{variable}\" lies on a projected grid, but its projection is missing or unknown",
+     .text = "the tide \"{variable}\" lies on a projected grid, but its projection is missing, unknown or "
+             "does not show all of it",
      .hint = "State it with --crs, for example --crs EPSG:3031",
      .slots = {{{"variable", "hRe"}}}},
     {.code = "constituent-not-named",

@@ -196,8 +196,8 @@ std::vector<DataFormat> all_formats() {
 
       {.name = "GeoTIFF",
        .reads = "depths or elevations",
-       .tested_with =
-           "a survey of NOAA; ETOPO in a polar projection; other projections: files made for the tests",
+       .tested_with = "a survey of NOAA; ETOPO in a polar projection; twelve other reference systems: files "
+                      "made for the tests",
        .kinds = {bathymetry},
        .writing = Writing::binary,
        .is_it = [](const FileStart& start) { return is_tiff(start.bytes); },

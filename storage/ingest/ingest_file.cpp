@@ -121,8 +121,8 @@ Candidate check_kind(sql::Connection& db, const RecognisedFile& file, const File
                      DatasetKind kind, const std::string& sha256, const IngestOptions& options,
                      const core::ProgressCallback& progress) {
   const std::string identity = identity_of(sha256, kind, options);
-  for (const Keeping keeping :
-       {Keeping::at_points_of_components, Keeping::at_own_points, Keeping::on_a_grid}) {
+  for (const Keeping keeping : {Keeping::on_a_projected_grid, Keeping::at_points_of_components,
+                                Keeping::at_own_points, Keeping::on_a_grid}) {
     auto stored = repository::DatasetRepository{db}.find(id_of(kind, identity, keeping));
     if (!stored) continue;
     if (stored->provenance.sha256 != sha256)

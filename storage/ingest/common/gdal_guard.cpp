@@ -67,6 +67,8 @@ void register_drivers() {
   std::call_once(once, [] {
     // an .aux.xml file beside the data must not change their meaning
     CPLSetConfigOption("GDAL_PAM_ENABLED", "NO");
+    // GDAL would take EASE-Grid 2 for the first one, whose places lie up to 20 km beside
+    CPLSetConfigOption("OSR_USE_NON_DEPRECATED", "NO");
     close_other_ways_to_files();
     GDALRegister_GTiff();
     GDALRegister_netCDF();

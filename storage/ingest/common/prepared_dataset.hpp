@@ -4,10 +4,12 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "engine/core/units.hpp"
 #include "engine/geo/bounding_box.hpp"
+#include "engine/geo/grid_frame.hpp"
 #include "storage/ingest/common/refusal.hpp"
 #include "storage/repository/datasets/dataset.hpp"
 #include "storage/sql/connection.hpp"
@@ -16,7 +18,19 @@ namespace floeplan::ingest {
 
 /// Where a dataset has its values. If an older program stored a file in another way, reading it again makes a
 /// second dataset with its own id.
-enum class Keeping { on_a_grid, at_own_points, at_points_of_components };
+enum class Keeping { on_a_grid, at_own_points, at_points_of_components, on_a_projected_grid };
+
+/// Of values at the nodes of a grid. Older programs had grids in longitude and latitude, polar stereographic on two
+/// ellipsoids and transverse Mercator on one.
+[[nodiscard]] inline Keeping keeping_on(const geo::GridFrame& frame) {
+  const auto* polar = std::get_if<geo::PolarStereographicFrame>(&frame);
+  const auto* mercator = std::get_if<geo::TransverseMercatorFrame>(&frame);
+  const bool is_old =
+      std::holds_alternative<geo::GeographicFrame>(frame) ||
+      (polar != nullptr && polar->scale_ts == 1.0 && polar->ellipsoid.inverse_flattening != 0.0) ||
+      (mercator != nullptr && mercator->ellipsoid == geo::wgs84);
+  return is_old ? Keeping::on_a_grid : Keeping::on_a_projected_grid;
+}
 
 /// One kind of data of a file, completely read and checked, with the function that writes it to the store.
 /// The dataset's row must be inserted first.

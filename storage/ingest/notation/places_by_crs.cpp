@@ -5,16 +5,27 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <string_view>
 
 #include "storage/ingest/common/gdal_guard.hpp"
-#include "storage/ingest/notation/grid_frame_of_crs.hpp"
 
 namespace floeplan::ingest {
 namespace {
 
+/// False for datums up to hundreds of metres away from WGS84 (NAD27, ED50, ...), even if the ellipsoid has
+/// the same size.
+bool on_world_datum(const OGRSpatialReference& crs) {
+  const char* datum = crs.GetAttrValue("DATUM");
+  if (datum == nullptr) return true;
+  const std::string_view name = datum;
+  for (const char* far : {"1927", "ED50", "European_Datum_1950", "Tokyo", "Pulkovo"})
+    if (name.find(far) != std::string_view::npos) return false;
+  return true;
+}
+
 OGRSpatialReference geographic_for(const OGRSpatialReference& crs) {
   OGRSpatialReference geographic;
-  if (has_latitudes_of_the_earth(crs))
+  if (earth_of(crs))
     geographic.SetGeogCS("own", "own", "own", crs.GetSemiMajor(), crs.GetInvFlattening());
   else
     geographic.SetWellKnownGeogCS("WGS84");
@@ -23,6 +34,23 @@ OGRSpatialReference geographic_for(const OGRSpatialReference& crs) {
 }
 
 }  // namespace
+
+std::optional<geo::Ellipsoid> earth_of(const OGRSpatialReference& crs) {
+  if (!on_world_datum(crs)) return std::nullopt;
+  OGRErr error = OGRERR_NONE;
+  const double semi_major_m = crs.GetSemiMajor(&error);
+  const double inverse_flattening = crs.GetInvFlattening();
+  if (error == OGRERR_NONE && std::abs(crs.GetPrimeMeridian()) <= 1e-9) {
+    for (const geo::Ellipsoid known : {geo::wgs84, geo::hughes_1980})
+      if (std::abs(semi_major_m - known.semi_major_m) <= 0.5 &&
+          std::abs(inverse_flattening - known.inverse_flattening) <= 1e-3)
+        return known;
+  }
+  // Models use radii between the semi-axes of WGS84, or the longer semi-axis of Hughes 1980.
+  if (inverse_flattening == 0.0 && semi_major_m >= 6'356'752.0 && semi_major_m <= 6'378'273.0)
+    return geo::Ellipsoid{semi_major_m, 0.0};
+  return std::nullopt;
+}
 
 tl::expected<std::vector<geo::LonLat>, std::string> places_by_crs(
     const OGRSpatialReference& crs, std::size_t rows, std::size_t columns,

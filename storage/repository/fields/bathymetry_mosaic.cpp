@@ -61,9 +61,9 @@ std::optional<std::size_t> BathymetryMosaic::cell_of(geo::LonLat place) const {
   const double turn = std::floor((place.lon_deg - (x.front() - 0.5 * dx)) / 360.0);
   const double column = std::round((place.lon_deg - 360.0 * turn - x.front()) / dx);
   const double row = std::round((place.lat_deg - y.front()) / dy);
-  if (column < 0.0 || column >= static_cast<double>(x.size()) || row < 0.0 ||
-      row >= static_cast<double>(y.size()))
-    return std::nullopt;
+  const bool is_inside = column >= 0.0 && column < static_cast<double>(x.size()) && row >= 0.0 &&
+                         row < static_cast<double>(y.size());  // false for a node without a place (NaN)
+  if (!is_inside) return std::nullopt;
   return static_cast<std::size_t>(row) * x.size() + static_cast<std::size_t>(column);
 }
 

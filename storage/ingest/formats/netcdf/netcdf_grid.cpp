@@ -24,8 +24,20 @@ const NetcdfVariable* table_of(const NetcdfFile& file, const NetcdfVariable& var
   return nullptr;
 }
 
-/// Whether the file's own tables of positions put a corner of the grid elsewhere than its projection. A
-/// projection on a sphere, or a wrong unit, leads to differences of many kilometres.
+/// Largest distance between a node in the file's tables and by its projection, as a share of the spacing. A file may
+/// state a sphere for places that were computed on an ellipsoid; near a pole the two differ little.
+double most_apart(const geo::GridFrame& frame) {
+  const bool on_sphere = std::visit(
+      [](const auto& any) {
+        if constexpr (requires { any.ellipsoid; }) return any.ellipsoid.inverse_flattening == 0.0;
+        return false;
+      },
+      frame);
+  return on_sphere ? 0.01 : 0.1;
+}
+
+/// Whether the file's own tables of positions put a corner of the grid elsewhere than its projection. A wrong figure
+/// of the Earth or a wrong unit leads to differences of many kilometres.
 bool contradicts_tables(const NetcdfFile& file, const NetcdfVariable& variable, const NetcdfLayout& layout,
                         const ocean::HorizontalGrid& grid) {
   const NetcdfVariable* lon_table = table_of(file, variable, layout, AxisRole::longitude);
@@ -41,7 +53,7 @@ bool contradicts_tables(const NetcdfFile& file, const NetcdfVariable& variable, 
     const std::size_t iy = far_corner ? grid.y().size() - 1 : 0;
     const std::size_t node = layout.y.source[iy] * columns + layout.x.source[ix];
     const core::Metres apart = geo::geodesic_between(grid.place(ix, iy), {(*lon)[node], (*lat)[node]}).length;
-    if (!(apart < 0.1 * grid.spacing())) return true;
+    if (!(apart < most_apart(grid.frame()) * grid.spacing())) return true;
   }
   return false;
 }
@@ -64,6 +76,8 @@ Checked<ocean::HorizontalGrid> grid_of(const NetcdfFile& file, const NetcdfVaria
   const auto frame = grid_frame_of(crs);
   if (!frame) return refuse(messages::ingest_netcdf_message<"projection-not-usable">(variable.name()));
   ocean::HorizontalGrid grid{*frame, std::move(x), std::move(y)};
+  if (!lies_in_projection(grid))
+    return refuse(messages::ingest_netcdf_message<"projection-not-usable">(variable.name()));
   if (contradicts_tables(file, variable, layout, grid))
     return refuse(messages::ingest_netcdf_message<"projection-contradicts-tables">(variable.name()));
   return grid;

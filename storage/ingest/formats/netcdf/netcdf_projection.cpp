@@ -142,9 +142,15 @@ bool is_placed_by_projection(const NetcdfFile& file, const NetcdfVariable& varia
   const auto axes = axes_of(file, variable, y_dimension, x_dimension);
   if (!axes) return false;
   const auto crs = projection_of(file, variable);
-  if (!crs || !has_latitudes_of_the_earth(*crs)) return false;
+  if (!crs || !earth_of(*crs)) return false;
   if (axes->turned) return crs->IsDerivedGeographic() != 0;
-  return crs->IsProjected() != 0 && std::abs(crs->GetLinearUnits() - 1.0) < 1e-12 && !grid_frame_of(*crs);
+  if (crs->IsProjected() == 0 || std::abs(crs->GetLinearUnits() - 1.0) >= 1e-12) return false;
+  const auto frame = grid_frame_of(*crs);
+  if (!frame) return true;
+  Messages warnings;
+  const auto x = projected_nodes(*axes->x, warnings);
+  const auto y = projected_nodes(*axes->y, warnings);
+  return x && y && !lies_in_projection({*frame, ocean::Axis{x->nodes}, ocean::Axis{y->nodes}});
 }
 
 Checked<std::vector<geo::LonLat>> places_by_projection(const NetcdfFile& file, const NetcdfVariable& variable,

@@ -314,13 +314,16 @@ Checked<S100Coverage> s100_coverage(const std::filesystem::path& path, const std
   if (!x) return refuse(x.error());
   const auto y = geographic ? latitude_nodes("latitude", *y_values) : monotonic_nodes("y", *y_values);
   if (!y) return refuse(y.error());
+  ocean::HorizontalGrid grid{*frame, ocean::Axis{x->nodes}, ocean::Axis{y->nodes}};
+  if (!geographic && !lies_in_projection(grid))
+    return refuse(messages::ingest_hdf5_message<"s-hundred-beyond-projection">());
   auto values = described_values(*file, feature_name);
   if (!values) return refuse(values.error());
   auto records = records_in(*area);
   if (!records) return refuse(records.error());
   return S100Coverage{std::move(*file),
                       *area,
-                      {*frame, ocean::Axis{x->nodes}, ocean::Axis{y->nodes}},
+                      std::move(grid),
                       x_values->size(),
                       std::move(x->source),
                       std::move(*values),

@@ -276,6 +276,7 @@ Checked<PreparedDataset> prepare_bathymetry(RawBathymetry raw, const std::option
     };
     return data;
   }
+  data.keeping = keeping_on(raw.grid.frame());
   data.write = [grid = std::move(raw.grid), read = std::move(raw.read), survey, sense = finding->sense](
                    sql::Connection& db, const repository::DatasetId& id) -> Checked<void> {
     repository::FieldRepository fields{db};

@@ -276,13 +276,22 @@ Checked<PlacedRaster> placed_by_themselves(GDALDataset& dataset, const RasterTra
   return PlacedRaster{std::move(order), std::move(own->grid), std::move(own->kept)};
 }
 
-Checked<PlacedRaster> placed_raster(GDALDataset& dataset, const OGRSpatialReference& crs) {
+Checked<PlacedRaster> placed_raster(GDALDataset& dataset, OGRSpatialReference crs) {
   RasterTransform t{};
   if (dataset.GetGeoTransform(t.data()) != CE_None)
     return refuse(messages::ingest_depth_message<"grid-without-position">());
+  if (crs.IsProjected() != 0) {  // feet, for example
+    const double unit_m = crs.GetLinearUnits();
+    for (double& coefficient : t) coefficient *= unit_m;
+    crs.SetLinearUnitsAndUpdateParameters(SRS_UL_METER, 1.0);
+  }
   const auto frame = grid_frame_of(crs);
   const bool is_rotated = t[2] != 0.0 || t[4] != 0.0;
-  return frame && !is_rotated ? placed_on_axes(dataset, t, *frame) : placed_by_themselves(dataset, t, crs);
+  if (!frame || is_rotated) return placed_by_themselves(dataset, t, crs);
+  auto placed = placed_on_axes(dataset, t, *frame);
+  const bool geographic = std::holds_alternative<geo::GeographicFrame>(*frame);
+  if (!placed || geographic || lies_in_projection(placed->grid)) return placed;
+  return placed_by_themselves(dataset, t, crs);
 }
 
 /// All values, in the order in which they are kept.

@@ -241,6 +241,7 @@ Checked<PreparedDataset> prepare_currents(CurrentInput input, const core::Progre
     data.warnings.push_back(messages::ingest_grid_message<"kept-at-own-points">(points, input.layout));
     data.rows_accepted = static_cast<std::int64_t>(points);
   } else {
+    data.keeping = keeping_on(currents->grid.frame());
     data.rows_accepted = static_cast<std::int64_t>(currents->grid.size());
   }
   if (shape.levels_follow_bed)

@@ -212,7 +212,7 @@ Checked<PreparedDataset> read_ice(const std::shared_ptr<const NetcdfFile>& file,
   data.bounds = source->grid.bounds();
   data.rows_accepted = static_cast<std::int64_t>(source->bent ? source->bent->own.kept.mesh.points.size()
                                                               : source->grid.size());
-  if (source->bent) data.keeping = Keeping::at_own_points;
+  data.keeping = source->bent ? Keeping::at_own_points : keeping_on(source->grid.frame());
   data.time_start = core::from_unix_seconds(source->layout.times_s->nodes.front());
   data.time_end = core::from_unix_seconds(source->layout.times_s->nodes.back());
   data.write = [source = std::move(*source), progress](sql::Connection& db, const repository::DatasetId& id) {

@@ -217,7 +217,7 @@ Checked<PreparedDataset> prepare_levels(LevelField field, const core::ProgressCa
   data.bounds = field.grid.bounds();
   set_period(data, field.times.nodes.front(), field.times.nodes.back());
   data.rows_accepted = static_cast<std::int64_t>(field.points());
-  if (field.own_points) data.keeping = Keeping::at_own_points;
+  data.keeping = field.own_points ? Keeping::at_own_points : keeping_on(field.grid.frame());
   data.write = [field = std::move(field), progress](sql::Connection& db, const repository::DatasetId& id) {
     return write_levels(field, progress, db, id);
   };

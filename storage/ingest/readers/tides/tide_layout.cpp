@@ -203,6 +203,8 @@ Checked<TideLayout> tide_layout_of(const NetcdfFile& file, const TideVariables& 
     return refuse(messages::ingest_tide_message<"tide-too-large">(max_tide_nodes));
   layout.line_dimension = other_dimension(field, layout.x_dimension, layout.y_dimension);
   layout.grid = ocean::HorizontalGrid{*frame, ocean::Axis{x->nodes}, ocean::Axis{y->nodes}};
+  if (!std::holds_alternative<geo::GeographicFrame>(*frame) && !lies_in_projection(layout.grid))
+    return refuse(messages::ingest_tide_message<"tide-projection-unknown">(field.name()));
   layout.x = std::move(*x);
   layout.y = std::move(*y);
   return layout;

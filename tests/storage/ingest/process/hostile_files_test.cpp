@@ -85,7 +85,8 @@ class HostileFiles : public StoreFixture {
       write_file("fort.14", AdcircBay::mesh());
       write_file(name, AdcircBay::currents(false));
     }
-    if (name == "bed.tif") write_geotiff(path(name));
+    if (name == "bed.tif") write_geotiff(path(name), 4326, {0.0, 0.5, 0.0, 54.0, 0.0, -0.5});
+    if (name == "plane.tif") write_geotiff(path(name), 3035, {4.0e6, 100.0, 0.0, 3.2e6, 0.0, -100.0});
     if (name == "bergs.gpkg") write_points("GPKG", path(name));
     if (name == "bergs.shp") write_points("ESRI Shapefile", path(name));
     if (name == "bergs.zip") {
@@ -116,6 +117,14 @@ class HostileFiles : public StoreFixture {
       }).write(path(name));
     if (name == "stations.h5") s104_stations().write(path(name));
     if (name == "bed.h5") s102_sample({10.0F, 20.0F, 30.0F, 40.0F, 50.0F, 60.0F}, 2.0F).write(path(name));
+    if (name == "plane.h5") {
+      S100Sample sample = s102_sample({10.0F, 20.0F, 30.0F, 40.0F, 50.0F, 60.0F}, 2.0F);
+      sample.file_numbers["horizontalCRS"] = 32622.0;
+      sample.west = 4.0e5;
+      sample.south = 7.6e6;
+      sample.step = 50.0;
+      sample.write(path(name));
+    }
     if (name == "tides.tcd")
       write_tcd(
           path(name),
@@ -212,15 +221,14 @@ class HostileFiles : public StoreFixture {
     return u.octets() + v.octets();
   }
 
-  static void write_geotiff(const std::filesystem::path& file) {
+  static void write_geotiff(const std::filesystem::path& file, int epsg, std::array<double, 6> transform) {
     register_drivers();
     auto* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
     GDALDatasetUniquePtr tiff{driver->Create(file.c_str(), 8, 8, 1, GDT_Float32, nullptr)};
-    double transform[6] = {0.0, 0.5, 0.0, 54.0, 0.0, -0.5};
-    tiff->SetGeoTransform(transform);
-    OGRSpatialReference wgs84;
-    wgs84.importFromEPSG(4326);
-    tiff->SetSpatialRef(&wgs84);
+    tiff->SetGeoTransform(transform.data());
+    OGRSpatialReference crs;
+    crs.importFromEPSG(epsg);
+    tiff->SetSpatialRef(&crs);
     std::vector<float> depths(64, -100.0F);
     ASSERT_EQ(tiff->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, 8, 8, depths.data(), 8, 8, GDT_Float32, 0, 0),
               CE_None);
@@ -375,12 +383,12 @@ INSTANTIATE_TEST_SUITE_P(
     Of, HostileFormat,
     testing::Values("US4MD81M.000", "gutils_profile.nc", "gnome_gridded_current.nc", "sample-2.0.1.bag",
                     "comet-2019-222-02-154.dbd", "currents.nc", "mesh.nc", "roms.nc", "ice.nc", "fort.64",
-                    "bed.tif", "bergs.gpkg", "bergs.shp", "bergs.zip", "currents.grb", "currents.h5",
-                    "places.h5", "levels.h5", "stations.h5", "bed.h5", "tides.tcd", "detections.csv",
-                    "log.csv", "p5610005.log", "sea035.6.gli.sub.1", "seaglider_p1800001.nc", "bed.asc",
-                    "bergs.kml", "chart_20261120.gml", "bergs.geojson", "nw_atlantic_etopo1_4min.xyz",
-                    "cis_beacon_1997_12995.csv", "byu_latest_20260818.json", "noaa_anchorage-knik-arm.json",
-                    "otps_tpxo9v2a_extract_HC_sample_out.txt"),
+                    "bed.tif", "plane.tif", "bergs.gpkg", "bergs.shp", "bergs.zip", "currents.grb",
+                    "currents.h5", "places.h5", "levels.h5", "stations.h5", "bed.h5", "plane.h5", "tides.tcd",
+                    "detections.csv", "log.csv", "p5610005.log", "sea035.6.gli.sub.1",
+                    "seaglider_p1800001.nc", "bed.asc", "bergs.kml", "chart_20261120.gml", "bergs.geojson",
+                    "nw_atlantic_etopo1_4min.xyz", "cis_beacon_1997_12995.csv", "byu_latest_20260818.json",
+                    "noaa_anchorage-knik-arm.json", "otps_tpxo9v2a_extract_HC_sample_out.txt"),
     [](const testing::TestParamInfo<const char*>& format) {
       std::string name = format.param;
       std::ranges::replace_if(

@@ -40,6 +40,33 @@ TEST(BathymetryMosaic, TakesTheFirstDatasetThatKnowsThePlace) {
   EXPECT_EQ(depths.depth({-53.7, 68.8})->value, 400.0);
 }
 
+TEST(BathymetryMosaic, JoinsTilesInDifferentProjections) {
+  const auto tile = [](const geo::GridFrame& frame, geo::LonLat middle) {
+    const geo::GridPoint at = geo::FrameProjection{frame}.to_grid(middle);
+    std::vector<double> x;
+    std::vector<double> y;
+    for (int i = -10; i <= 10; ++i) {
+      x.push_back(at.x + 500.0 * i);
+      y.push_back(at.y + 500.0 * i);
+    }
+    return ocean::HorizontalGrid{frame, ocean::Axis{x}, ocean::Axis{y}};
+  };
+  const geo::TransverseMercatorFrame utm_22{.lon_0_deg = -51.0, .false_easting_m = 500'000.0};
+  const geo::AzimuthalEqualAreaFrame azimuthal{.lat_0_deg = 52.0, .lon_0_deg = 10.0};
+  const geo::LambertConformalFrame conic{
+      .lat_1_deg = 60.0, .lat_2_deg = 75.0, .lat_0_deg = 69.0, .lon_0_deg = -40.0};
+  BathymetryMosaic mosaic{area, core::Metres{500.0}, 1'000'000};
+  EXPECT_TRUE(mosaic.add(flat(tile(utm_22, {-52.5, 68.3}), 100.0F)));
+  EXPECT_TRUE(mosaic.add(flat(tile(azimuthal, {-53.0, 68.5}), 200.0F)));
+  EXPECT_TRUE(mosaic.add(flat(tile(conic, {-53.5, 68.7}), 300.0F)));
+
+  const ocean::Bathymetry depths = mosaic.bathymetry();
+  EXPECT_EQ(depths.depth({-52.5, 68.3})->value, 100.0);
+  EXPECT_EQ(depths.depth({-53.0, 68.5})->value, 200.0);
+  EXPECT_EQ(depths.depth({-53.5, 68.7})->value, 300.0);
+  EXPECT_FALSE(depths.depth({-52.2, 68.8}).has_value());
+}
+
 TEST(BathymetryMosaic, FollowsAPlaneSeaBedExactlyAtItsNodes) {
   const ocean::HorizontalGrid nodes = grid(-55.0, 67.0, 0.25, 20, 20);
   std::vector<float> depths_m;

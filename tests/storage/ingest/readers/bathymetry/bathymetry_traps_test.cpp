@@ -91,10 +91,11 @@ class BathymetryTraps : public StoreFixture {
       for (int column = 0; column < 4; ++column) {
         const double across = column + 0.5;
         const double down = row + 0.5;
-        const auto here = depths_at(
-            place_in(crs, {t[0] + t[1] * across + t[2] * down, t[3] + t[4] * across + t[5] * down}));
-        EXPECT_FLOAT_EQ(here.depth_m().front(), 10.0F * static_cast<float>(row * 4 + column + 1));
-        EXPECT_FLOAT_EQ(here.shoalest_m().front(), here.depth_m().front());
+        const geo::LonLat place =
+            place_in(crs, {t[0] + t[1] * across + t[2] * down, t[3] + t[4] * across + t[5] * down});
+        const auto here = depths_at(place);
+        EXPECT_EQ(here.depth(place).value().value, 10.0 * (row * 4 + column + 1)) << crs;
+        EXPECT_EQ(here.shoalest(place).value().value, here.depth(place).value().value);
       }
   }
 
@@ -142,13 +143,59 @@ TEST_F(BathymetryTraps, AUtmGridKeepsItsNodes) {
   EXPECT_DOUBLE_EQ(sea.depth(sea.grid().place(0, 0))->value, 90.0);
 }
 
-/// At the centre of every pixel its own depth, wherever the projection puts it.
-TEST_F(BathymetryTraps, PixelsOfAnotherProjectionAreKeptAtTheirOwnPlaces) {
-  const std::array<double, 6> transform{4321000.0, 10000.0, 0.0, 3230000.0, 0.0, -10000.0};
-  stored(write_tiff("EPSG:3035", transform));
+/// At the centre of every pixel its own depth, wherever PROJ puts it.
+TEST_F(BathymetryTraps, AGridInAnyOfTheUsualProjectionsKeepsItsNodes) {
+  struct Sea {
+    const char* crs;
+    double west;
+    double north;
+  };
+  for (const Sea& sea :
+       {Sea{"EPSG:32661", 1.4e6, 1.5e6}, Sea{"EPSG:3034", 3.7e6, 3.8e6},
+        Sea{"EPSG:3035", 4321000.0, 3230000.0}, Sea{"EPSG:3338", -4.4e5, 2.4e6},
+        Sea{"EPSG:6931", -1.7e6, -1.4e6}, Sea{"EPSG:6932", 2.2e5, -1.3e6}, Sea{"EPSG:6933", -4.8e6, 6.8e6},
+        Sea{"EPSG:3395", -5.5e6, 1.0e7}, Sea{"EPSG:3857", -5.5e6, 1.0e7}, Sea{"EPSG:3832", 4.4e6, 7.1e6},
+        Sea{"EPSG:2154", 1.0e5, 6.9e6}, Sea{"EPSG:2225", 5.9e6, 2.2e6}}) {
+    SCOPED_TRACE(sea.crs);
+    const std::array<double, 6> transform{sea.west, 1000.0, 0.0, sea.north, 0.0, -1000.0};
+    const auto depths = stored(write_tiff(sea.crs, transform));
 
-  EXPECT_THAT(words(report_), HasSubstr("kept at its own place (12 points, a grid in \"ETRS89"));
-  expect_own_depths("EPSG:3035", transform);
+    EXPECT_FALSE(std::holds_alternative<geo::GeographicFrame>(depths.grid().frame())) << sea.crs;
+    EXPECT_EQ(depths.grid().size(), 12U) << sea.crs;
+    expect_own_depths(sea.crs, transform);
+  }
+}
+
+/// EPSG gave up EASE-Grid 1, which lies on a sphere, for EASE-Grid 2 on WGS84.
+TEST_F(BathymetryTraps, AGivenUpReferenceSystemIsNotTakenForItsSuccessor) {
+  const auto sea = stored(write_tiff("EPSG:3409", {2.2e5, 1000.0, 0.0, -1.3e6, 0.0, -1000.0}));
+
+  const auto frame = std::get<geo::AlbersFrame>(sea.grid().frame());
+  EXPECT_EQ(frame.ellipsoid, (geo::Ellipsoid{6'371'228.0, 0.0}));
+}
+
+/// Half-way between four pixels of the plane, not of their longitudes and latitudes.
+TEST_F(BathymetryTraps, BetweenPixelsOfAProjectionDepthsAreBilinearInItsPlane) {
+  stored(write_tiff("EPSG:3035", {4321000.0, 10000.0, 0.0, 3230000.0, 0.0, -10000.0}));
+
+  const geo::LonLat place = place_in("EPSG:3035", {4333500.0, 3217500.0});
+  EXPECT_NEAR(depths_at(place).depth(place).value().value, 0.25 * 17.5 + 0.75 * 57.5, 1e-5);
+}
+
+TEST_F(BathymetryTraps, AGridThatItsProjectionCutsOpenIsKeptAtItsOwnPlaces) {
+  const std::array<double, 6> transform{2.0e7, 20000.0, 0.0, 7.0e6, 0.0, -20000.0};
+  stored(write_tiff("EPSG:3395", transform));
+
+  EXPECT_THAT(words(report_), HasSubstr("kept at its own place (12 points"));
+  expect_own_depths("EPSG:3395", transform);
+}
+
+TEST_F(BathymetryTraps, PixelsOfAnotherProjectionAreKeptAtTheirOwnPlaces) {
+  const std::array<double, 6> transform{780000.0, 10000.0, 0.0, 720000.0, 0.0, -10000.0};
+  stored(write_tiff("EPSG:26931", transform));
+
+  EXPECT_THAT(words(report_), HasSubstr("kept at its own place (12 points, a grid in \"NAD83 / Alaska"));
+  expect_own_depths("EPSG:26931", transform);
 }
 
 TEST_F(BathymetryTraps, PixelsOfARotatedGridAreKeptAtTheirOwnPlaces) {
@@ -189,18 +236,18 @@ TEST_F(BathymetryTraps, AGridAtThePoleIsReadUpToIt) {
 }
 
 TEST_F(BathymetryTraps, BetweenPixelsOfAnotherProjectionTheShoalestCounts) {
-  const auto sea = stored(write_tiff("EPSG:3035", {4321000.0, 10000.0, 0.0, 3230000.0, 0.0, -10000.0}));
+  const auto sea = stored(write_tiff("EPSG:26931", {780000.0, 10000.0, 0.0, 720000.0, 0.0, -10000.0}));
 
-  const geo::LonLat beside_the_rock = place_in("EPSG:3035", {4334000.0, 3217000.0});
+  const geo::LonLat beside_the_rock = place_in("EPSG:26931", {793000.0, 707000.0});
   EXPECT_LE(sea.shoalest(beside_the_rock).value().value, 10.0) << "the rock of the first pixel";
   for (std::size_t i = 0; i < sea.depth_m().size(); ++i)
     EXPECT_TRUE(std::isnan(sea.depth_m()[i]) || sea.shoalest_m()[i] <= sea.depth_m()[i]);
 }
 
 TEST_F(BathymetryTraps, TheUncertaintyOfADepthIsKeptAtItsOwnPlace) {
-  const std::array<double, 6> transform{4321000.0, 10000.0, 0.0, 3230000.0, 0.0, -10000.0};
+  const std::array<double, 6> transform{780000.0, 10000.0, 0.0, 720000.0, 0.0, -10000.0};
   {
-    const std::unique_ptr<GDALDataset> dataset = made_tiff("EPSG:3035", transform, 2);
+    const std::unique_ptr<GDALDataset> dataset = made_tiff("EPSG:26931", transform, 2);
     std::vector<double> values;
     for (int i = 1; i <= 12; ++i) values.push_back(-10.0 * i);
     fill(*dataset->GetRasterBand(1), values, "elevation");
@@ -208,7 +255,7 @@ TEST_F(BathymetryTraps, TheUncertaintyOfADepthIsKeptAtItsOwnPlace) {
   }
   stored(path("sea.tif"));
 
-  const auto last = depths_at(place_in("EPSG:3035", {4356000.0, 3205000.0}));
+  const auto last = depths_at(place_in("EPSG:26931", {815000.0, 695000.0}));
   EXPECT_FLOAT_EQ(last.depth_m().front(), 120.0F);
   EXPECT_FLOAT_EQ(last.shoalest_m().front(), 118.5F);
 }
@@ -222,9 +269,9 @@ TEST_F(BathymetryTraps, ALargerGridOfAnotherProjectionIsRefusedWithTheWayOut) {
     const std::unique_ptr<GDALDataset> dataset{
         driver->Create(path("sea.tif").c_str(), 2000, 1001, 1, GDT_Float32, const_cast<char**>(options))};
     OGRSpatialReference reference;
-    reference.SetFromUserInput("EPSG:3035");
+    reference.SetFromUserInput("EPSG:26931");
     dataset->SetSpatialRef(&reference);
-    std::array<double, 6> transform{4321000.0, 100.0, 0.0, 3230000.0, 0.0, -100.0};
+    std::array<double, 6> transform{780000.0, 100.0, 0.0, 720000.0, 0.0, -100.0};
     dataset->SetGeoTransform(transform.data());
   }
 
