@@ -47,6 +47,17 @@ std::optional<CurrentsBox> drift_box(const EnvironmentDraft& draft, const Datase
   return CurrentsBox{query.area, deepest};
 }
 
+bool area_holds(const EnvironmentDraft& draft, const Dataset& dataset, const CurrentsBox& box,
+                const ocean::CurrentGrid::Samples& of_area) {
+  const FieldRepository fields{draft.db};
+  const auto shape = fields.shape(dataset.id);
+  if (!shape || !box.deepest || of_area.depths_m.has_value() != shape->depths_m.has_value()) return false;
+  const std::size_t levels = of_area.depths_m ? of_area.depths_m->size() : 1;
+  // The box encloses the area, so equal counts of nodes mean the same nodes.
+  return levels >= levels_to(*shape, *box.deepest) &&
+         fields.most_nodes(dataset.id, box.area) == fields.most_nodes(dataset.id, draft.query.area);
+}
+
 void tell_of_unknown_drift(EnvironmentDraft& draft) {
   const ocean::Environment& environment = draft.environment;
   if (!draft.query.iceberg_drift || !environment.currents) return;

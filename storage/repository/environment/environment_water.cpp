@@ -25,16 +25,19 @@ std::shared_ptr<const ocean::CurrentGrid> as_they_count(const ocean::Environment
   return std::make_shared<const ocean::CurrentGrid>(currents->time_mean());
 }
 
-/// Reads the currents that carry icebergs: at most as many samples as the area's currents or 32 million, two
+/// The currents that carry icebergs; null: no iceberg drifts. They are those of the area if these hold all that
+/// is needed. Otherwise they are read: at most as many samples as the area's currents or 32 million, two
 /// floats each (256 MB), divided among the members of an ensemble.
 template <class Read>
-std::shared_ptr<const ocean::CurrentGrid> read_drift(const EnvironmentDraft& draft, const Dataset& dataset,
-                                                     const ocean::CurrentGrid::Samples& of_area,
-                                                     std::size_t members, const Read& read) {
+std::shared_ptr<const ocean::CurrentGrid> read_drift(
+    const EnvironmentDraft& draft, const Dataset& dataset,
+    const std::shared_ptr<const ocean::CurrentGrid>& of_area, std::size_t members, const Read& read) {
   constexpr std::size_t most_samples = 32'000'000;
-  const std::size_t most = std::max(most_samples / members, of_area.u.size());
-  const auto box = drift_box(draft, dataset, of_area.times_s.size(), most);
-  return box ? as_they_count(draft.environment, read(*box)) : nullptr;
+  const auto& samples = of_area->samples();
+  const std::size_t most = std::max(most_samples / members, samples.u.size());
+  const auto box = drift_box(draft, dataset, samples.times_s.size(), most);
+  if (!box) return nullptr;
+  return area_holds(draft, dataset, *box, samples) ? of_area : read(*box);
 }
 
 /// Reads the currents of the area and those that carry icebergs; `read` is a function of a CurrentsBox.
@@ -72,7 +75,8 @@ bool adopt_currents(EnvironmentDraft& draft, const Dataset& dataset, std::size_t
   }
 
   draft.environment.steady_currents = draft.query.steady || !covered;
-  draft.environment.drift_currents = read_drift(draft, dataset, samples, members, read);
+  draft.environment.drift_currents =
+      as_they_count(draft.environment, read_drift(draft, dataset, currents, members, read));
   draft.environment.currents = as_they_count(draft.environment, std::move(currents));
   return true;
 }

@@ -69,6 +69,20 @@ TEST_F(DriftBox, IsNeededWhereIcebergsDriftAlone) {
   EXPECT_FALSE(drift_box(draft_, flow_, steps, without_bound));
 }
 
+TEST_F(DriftBox, IsReadWithTheAreaIfThatHasAllNodesAndLevels) {
+  const auto box = drift_box(draft_, flow_, steps, without_bound);
+  const auto holds = [&](const geo::BoundingBox& area, std::optional<core::Metres> deepest) {
+    query_.area = area;
+    const auto read = FieldRepository{db_}.load_currents(flow_.id, area, std::nullopt, deepest);
+    return area_holds(draft_, flow_, *box, read->samples());
+  };
+
+  EXPECT_FALSE(holds(query_.area, std::nullopt));
+  EXPECT_TRUE(holds(box->area, std::nullopt));
+  EXPECT_TRUE(holds(box->area, box->deepest));
+  EXPECT_FALSE(holds(box->area, core::Metres{0.0}));
+}
+
 /// Law: it keeps to the bound as long as it is larger than the area, and never leaves out a part of the area or a keel.
 TEST_F(DriftBox, KeepsToTheBoundOfSamples) {
   const std::size_t all = samples_in(*drift_box(draft_, flow_, steps, without_bound));
