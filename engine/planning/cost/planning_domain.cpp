@@ -19,10 +19,10 @@ PlanningDomain::PlanningDomain(const ocean::Environment& environment, const Plan
                                CurrentsShelf* shelf)
     : projection_{projection},
       lengths_{projection, area},
-      safety_{environment, request.vehicle.least_water(), std::move(zones.standing), projection, area, cell,
-              stop},
-      timed_zones_{lay_out_timed_zones(zones.timed, request, projection, area)},
       bed_{lay_out_bed_below(environment, request, projection, area, cell, stop)},
+      safety_{environment, request.vehicle.least_water(), std::move(zones.standing), projection, area, cell,
+              bed_.get(),  stop},
+      timed_zones_{lay_out_timed_zones(zones.timed, request, projection, area)},
       overhead_{lay_out_ice(environment, request, projection, area, cell, bed_, stop),
                 lay_out_icebergs(environment, request, projection, area, bed_, stop),
                 request.under_ice.max_time_without_surfacing},
@@ -30,7 +30,9 @@ PlanningDomain::PlanningDomain(const ocean::Environment& environment, const Plan
       currents_{shelf != nullptr
                     ? shelf->take(request, depths_, ice() ? &*ice() : nullptr, projection, area, stop)
                     : lay_out_currents(environment, request, depths_, ice() ? &*ice() : nullptr, projection,
-                                       area, stop)} {}
+                                       area, stop)} {
+  if (!request.icebergs.pass_under && !(ice() && ice()->has_dense_ice())) bed_.reset();
+}
 
 bool PlanningDomain::currents_known_to_end(geo::PlanePoint point, core::Seconds from) const {
   constexpr int looks = 64;
@@ -50,8 +52,7 @@ bool PlanningDomain::is_steady() const {
 }
 
 std::size_t PlanningDomain::bytes() const {
-  // The memory of the shared bed is counted with the ice.
-  const std::size_t of_bed = bed_ && !ice() ? bed_->bytes() : 0;
+  const std::size_t of_bed = bed_ ? bed_->bytes() : 0;
   return safety_.bytes() + icebergs().bytes() + of_bed + (ice() ? ice()->bytes() : 0) +
          (currents_ ? currents_->bytes() : 0);
 }

@@ -70,10 +70,9 @@ class PlanningDomain {
 
   geo::LocalProjection projection_;
   plane::GroundLengths lengths_;
+  std::shared_ptr<const obstacles::BedCells> bed_;  // null: nothing is passed below, or no depth is known
   obstacles::SafetyMap safety_;
   obstacles::TimedZones timed_zones_;
-  std::shared_ptr<const obstacles::BedCells>
-      bed_;  // for icebergs and ice; null where no iceberg may be passed under
   Overhead overhead_;
   currents::FlownDepths depths_;
   std::shared_ptr<const currents::PlaneCurrents>

@@ -98,7 +98,8 @@ std::shared_ptr<const obstacles::BedCells> lay_out_bed_below(const ocean::Enviro
                                                              const geo::LocalProjection& projection,
                                                              const plane::PlaneBox& area, core::Metres cell,
                                                              const std::stop_token& stop) {
-  if (!request.icebergs.pass_under || !environment.bathymetry) return nullptr;
+  const bool passes_below = request.icebergs.pass_under || environment.ice;
+  if (!passes_below || !environment.bathymetry) return nullptr;
   return obstacles::lay_out_bed(environment.bathymetry, request.vehicle, projection, area, cell, stop);
 }
 
@@ -132,7 +133,7 @@ std::optional<ice::UnderIce> lay_out_ice(const ocean::Environment& environment, 
                                          core::Metres cell, std::shared_ptr<const obstacles::BedCells> bed,
                                          const std::stop_token& stop) {
   if (!environment.ice) return std::nullopt;
-  return ice::UnderIce{environment, request, projection, area, cell, stop, std::move(bed)};
+  return ice::UnderIce{environment, request, projection, area, cell, std::move(bed), stop};
 }
 
 std::optional<obstacles::EncounterMap> lay_out_encounters(const obstacles::IcebergDiscs& icebergs,

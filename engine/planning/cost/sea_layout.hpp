@@ -36,7 +36,7 @@ namespace floeplan::planning::cost {
 /// days if the vehicle may hold.
 [[nodiscard]] core::Seconds drift_for_the_way(const PlanRequest& request);
 
-/// The sea bed on a grid, if the vehicle may pass under icebergs; otherwise null.
+/// The sea bed on a grid, if the vehicle may pass below icebergs or sea ice; otherwise null.
 [[nodiscard]] std::shared_ptr<const obstacles::BedCells> lay_out_bed_below(
     const ocean::Environment& environment, const PlanRequest& request, const geo::LocalProjection& projection,
     const plane::PlaneBox& area, core::Metres cell, const std::stop_token& stop);
@@ -53,7 +53,7 @@ namespace floeplan::planning::cost {
     const PlanRequest& request, const plane::PlaneBox& area, const std::stop_token& stop);
 
 /// `cell`   step of the safety map; the ice is sampled at the same step
-/// `bed`    shared sea bed; null: the ice grids its own where needed
+/// `bed`    sea bed of the area; null: no depth is checked
 [[nodiscard]] std::optional<ice::UnderIce> lay_out_ice(const ocean::Environment& environment,
                                                        const PlanRequest& request,
                                                        const geo::LocalProjection& projection,

@@ -17,22 +17,20 @@ bool is_free(const IceAbove& ice) { return ice.may_surface || (!ice.known && !(i
 
 UnderIce::UnderIce(const ocean::Environment& environment, const PlanRequest& request,
                    const geo::LocalProjection& projection, const plane::PlaneBox& area, core::Metres cell,
-                   const std::stop_token& stop, std::shared_ptr<const obstacles::BedCells> bed)
+                   std::shared_ptr<const obstacles::BedCells> bed, const std::stop_token& stop)
     : rules_{request.under_ice},
       cover_{environment, request.under_ice, projection, area, request.depart, stop},
-      bed_{std::move(bed)},
+      bed_{cover_.has_dense_ice() ? std::move(bed) : nullptr},
       needed_below_m_{request.vehicle.least_water_below_turn().value},
       dive_room_m_{needed_below_m_ - request.vehicle.altimeter_margin.value},
       dive_depth_m_{request.vehicle.dive_depth.value},
       step_m_{std::min(cell.value, 0.25 * cover_.spacing().value)} {
-  if (!bed_ && environment.bathymetry && cover_.has_dense_ice())
-    bed_ = obstacles::lay_out_bed(environment.bathymetry, request.vehicle, projection, area, cell, stop);
   if (!stop.stop_requested()) tight_ = tight_cells();
 }
 
 std::optional<obstacles::MarkedCells> UnderIce::tight_cells() const {
   const core::Metres deepest_turn = cover_.deepest_draft() + rules_.margin_below_ice;
-  if (!bed_ || !cover_.has_dense_ice() || deepest_turn.value + dive_room_m_ > dive_depth_m_)
+  if (!bed_ || deepest_turn.value + dive_room_m_ > dive_depth_m_)
     return std::nullopt;
   const core::Metres needed = deepest_turn + core::Metres{needed_below_m_};
   const plane::PlaneRaster& raster = bed_->raster();

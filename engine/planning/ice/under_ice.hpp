@@ -31,12 +31,12 @@ class UnderIce {
  public:
   /// `cell`  size of a cell of the safety map; the ice is sampled at this spacing, or closer if its data are
   /// finer
-  /// `bed`   sea bed of the whole area; null: it is gridded here if there is bathymetry
+  /// `bed`   sea bed of the whole area; null: the bed is not known, and no depth is checked
   /// `stop`  once it is requested this object stays incomplete and must not be used
   /// Precondition  `environment` has ice
   UnderIce(const ocean::Environment& environment, const PlanRequest& request,
            const geo::LocalProjection& projection, const plane::PlaneBox& area, core::Metres cell,
-           const std::stop_token& stop = {}, std::shared_ptr<const obstacles::BedCells> bed = nullptr);
+           std::shared_ptr<const obstacles::BedCells> bed, const std::stop_token& stop = {});
 
   [[nodiscard]] IceAbove above(geo::PlanePoint point, core::Seconds time) const {
     return cover_.above(point, time);
@@ -86,7 +86,8 @@ class UnderIce {
   [[nodiscard]] bool may_transit_along(const motion::PlaneEdge& edge, const motion::EdgePiece& piece) const;
   [[nodiscard]] core::Metres step() const { return core::Metres{step_m_}; }
 
-  [[nodiscard]] std::size_t bytes() const { return cover_.bytes() + (bed_ ? bed_->bytes() : 0); }
+  /// Without the bed, which others share.
+  [[nodiscard]] std::size_t bytes() const { return cover_.bytes(); }
 
  private:
   friend class IceWatch;
@@ -100,7 +101,7 @@ class UnderIce {
 
   UnderIceRules rules_;
   IceCovers cover_;
-  std::shared_ptr<const obstacles::BedCells> bed_;  // null: no depth is checked
+  std::shared_ptr<const obstacles::BedCells> bed_;  // null: no depth is checked, or there is no dense ice
   std::optional<obstacles::MarkedCells> tight_;     // of the bed's cells
   double needed_below_m_;                           // from the upper turn to the sea bed
   double dive_room_m_;                              // from the upper turn to the deepest point of the dives

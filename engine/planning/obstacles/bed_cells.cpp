@@ -1,5 +1,6 @@
 #include "engine/planning/obstacles/bed_cells.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "engine/planning/obstacles/least_depth_rows.hpp"
@@ -62,8 +63,8 @@ std::shared_ptr<const BedCells> lay_out_bed(std::shared_ptr<const ocean::Bathyme
                                             const geo::LocalProjection& projection,
                                             const plane::PlaneBox& area, core::Metres cell,
                                             const std::stop_token& stop) {
-  return std::make_shared<const BedCells>(
-      std::move(bathymetry), vehicle.dive_depth + vehicle.altimeter_margin, projection, area, cell, stop);
+  const core::Metres enough = std::max(vehicle.dive_depth + vehicle.altimeter_margin, vehicle.least_water());
+  return std::make_shared<const BedCells>(std::move(bathymetry), enough, projection, area, cell, stop);
 }
 
 }  // namespace floeplan::planning::obstacles

@@ -29,7 +29,7 @@ class BedCells {
   /// Whether the bed is known and at least at `depth` all along the straight line from a to b.
   [[nodiscard]] bool is_deep_along(geo::PlanePoint a, geo::PlanePoint b, core::Metres depth) const;
   [[nodiscard]] const plane::PlaneRaster& raster() const { return raster_; }
-  /// The least depth known in a cell of the raster.
+  /// The least depth in a cell of the raster: zero or less on land, NaN if a part of the cell is unknown.
   [[nodiscard]] core::Metres least_depth(std::size_t cell) const {
     return core::Metres{static_cast<double>(least_m_[cell])};
   }
@@ -43,7 +43,8 @@ class BedCells {
   std::vector<float> least_m_;
 };
 
-/// The sea bed for this vehicle: the largest depth asked for is its dive depth plus altimeter margin.
+/// The sea bed for this vehicle: the largest depth asked for is its dive depth plus altimeter margin, or the
+/// least water that it needs.
 /// `bathymetry` must not be null.
 [[nodiscard]] std::shared_ptr<const BedCells> lay_out_bed(std::shared_ptr<const ocean::Bathymetry> bathymetry,
                                                           const vehicle::GliderProfile& vehicle,

@@ -36,6 +36,11 @@ std::optional<motion::EdgeClosed> judge_depth(std::optional<core::Metres> depth,
   return std::nullopt;
 }
 
+CellState state_at(float least_m, core::Metres least_depth) {
+  const auto known = std::isnan(least_m) ? std::nullopt : std::optional{core::Metres{least_m}};
+  return state_of(judge_depth(known, least_depth));
+}
+
 /// The state of each cell by the least depth in it (`LeastDepthRows`).
 /// Stops    early once `stop` is requested; the states are then incomplete
 std::vector<CellState> judge_depths(const plane::PlaneRaster& raster, const ocean::Bathymetry& bathymetry,
@@ -45,12 +50,19 @@ std::vector<CellState> judge_depths(const plane::PlaneRaster& raster, const ocea
   cells.reserve(raster.size());
   LeastDepthRows rows{raster, bathymetry, least_depth, projection, stop};
   for (std::int64_t row = 0; row < raster.ny() && !stop.stop_requested(); ++row) {
-    std::ranges::transform(rows.next(), std::back_inserter(cells), [&](float least_m) {
-      const auto known = std::isnan(least_m) ? std::nullopt : std::optional{core::Metres{least_m}};
-      return state_of(judge_depth(known, least_depth));
-    });
+    std::ranges::transform(rows.next(), std::back_inserter(cells),
+                           [&](float least_m) { return state_at(least_m, least_depth); });
   }
   cells.resize(raster.size(), CellState::open);
+  return cells;
+}
+
+/// The same by the least depths of a sea bed on the raster of the map.
+std::vector<CellState> judge_depths(const BedCells& bed, core::Metres least_depth) {
+  std::vector<CellState> cells;
+  cells.reserve(bed.raster().size());
+  for (std::size_t cell = 0; cell < bed.raster().size(); ++cell)
+    cells.push_back(state_at(static_cast<float>(bed.least_depth(cell).value), least_depth));
   return cells;
 }
 
@@ -78,14 +90,16 @@ geo::BoundingBox box_about(const plane::PlaneRaster& raster, const geo::LocalPro
 
 SafetyMap::SafetyMap(const ocean::Environment& environment, core::Metres least_depth, StandingZones zones,
                      const geo::LocalProjection& projection, const plane::PlaneBox& area, core::Metres cell,
-                     const std::stop_token& stop)
+                     const BedCells* bed, const std::stop_token& stop)
     : environment_{&environment},
       least_depth_{least_depth},
       zones_{std::move(zones)},
       raster_{area, cell},
       detailed_{box_about(raster_, projection)},
       cells_(raster_.size(), CellState::open) {
-  if (environment.bathymetry) {
+  if (bed != nullptr) {
+    cells_ = judge_depths(*bed, least_depth);
+  } else if (environment.bathymetry) {
     cells_ = judge_depths(raster_, *environment.bathymetry, least_depth, projection, stop);
   }
   for (const geo::Polygon& polygon : environment.land) {

@@ -10,6 +10,7 @@
 #include "engine/geo/local_projection.hpp"
 #include "engine/motion/edge_closed.hpp"
 #include "engine/ocean/environment.hpp"
+#include "engine/planning/obstacles/bed_cells.hpp"
 #include "engine/planning/plane/plane_raster.hpp"
 
 namespace floeplan::planning::obstacles {
@@ -33,10 +34,12 @@ struct StandingZones {
 /// Threads  const members may be called from several threads at once
 class SafetyMap {
  public:
-  /// Once `stop` is requested the map stays incomplete and must not be used.
+  /// `bed`: the sea bed on the same raster, needed only during construction, or null: the map finds the least
+  /// depths itself. The map is the same with both. Once `stop` is requested the map stays incomplete and must
+  /// not be used.
   SafetyMap(const ocean::Environment& environment, core::Metres least_depth, StandingZones zones,
             const geo::LocalProjection& projection, const plane::PlaneBox& area, core::Metres cell,
-            const std::stop_token& stop = {});
+            const BedCells* bed = nullptr, const std::stop_token& stop = {});
 
   /// The reason of the first closed cell on the straight line from a to b; empty if the line is open.
   [[nodiscard]] std::optional<motion::EdgeClosed> closed_between(geo::PlanePoint a, geo::PlanePoint b) const;

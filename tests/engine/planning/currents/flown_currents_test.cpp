@@ -165,7 +165,7 @@ TEST(FlownCurrents, BeginBelowTheIceWhileItIsThere) {
   const ocean::Environment environment{.ice = ice};
   PlanRequest at_start = request;
   at_start.depart = core::from_unix_seconds(sea_start_s);
-  const ice::UnderIce below{environment, at_start, projection, area, core::Metres{500.0}};
+  const ice::UnderIce below{environment, at_start, projection, area, core::Metres{500.0}, nullptr};
   const auto lasting = support::sheared_currents(20);
   const PlaneCurrents currents{*lasting, false, {limits, nullptr}, projection, area, at_start.depart,
                                {},       &below};

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/planning/cost/sea.hpp"
+#include "engine/planning/obstacles/bed_cells.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
@@ -28,10 +29,18 @@ std::shared_ptr<const ocean::IceField> ice_in_the_east(double thickness_m = 1.0)
                            thickness_m);
 }
 
+UnderIce under_ice(const ocean::Environment& environment, const PlanRequest& request) {
+  constexpr core::Metres cell{500.0};
+  auto bed = environment.bathymetry ? obstacles::lay_out_bed(environment.bathymetry, request.vehicle, projection,
+                                                             area, cell, {})
+                                    : nullptr;
+  return {environment, request, projection, area, cell, std::move(bed)};
+}
+
 TEST(UnderIce, KeepsTheUpperTurnTheMarginBelowTheKeels) {
   const ocean::Environment environment{.ice = ice_in_the_east()};
   const PlanRequest request = request_in_ice();
-  const UnderIce ice{environment, request, projection, area, core::Metres{500.0}};
+  const UnderIce ice = under_ice(environment, request);
 
   EXPECT_EQ(ice.least_upper_turn({-20'000.0, 0.0}, at_once).value, 0.0);
   EXPECT_NEAR(ice.least_upper_turn({20'000.0, 0.0}, at_once).value, 18.0, 1e-5);
@@ -45,8 +54,7 @@ TEST(UnderIce, PassesWhereAsMuchWaterIsLeftAsTheVehicleNeedsBelowTheSurface) {
         .ice = ice_in_the_east()};
     PlanRequest dive = request;
     dive.vehicle.dive_depth = core::Metres{dive_depth_m};
-    return UnderIce{environment, dive, projection, area, core::Metres{500.0}}.may_transit({20'000.0, 0.0},
-                                                                                          at_once);
+    return under_ice(environment, dive).may_transit({20'000.0, 0.0}, at_once);
   };
 
   EXPECT_TRUE(may_pass(39.0, 200.0));  // 8 m of keel, 10 m of margin, 20 m of water
@@ -125,8 +133,7 @@ TEST(UnderIce, NeedsRoomForADiveEvenWhereTheWorkingDepthAsksForNone) {
     PlanRequest request = request_in_ice();
     request.vehicle.minimum_working_depth = core::Metres{working_depth_m};
     request.vehicle.altimeter_margin = core::Metres{altimeter_margin_m};
-    return UnderIce{environment, request, projection, area, core::Metres{500.0}}.may_transit({20'000.0, 0.0},
-                                                                                             at_once);
+    return under_ice(environment, request).may_transit({20'000.0, 0.0}, at_once);
   };
 
   EXPECT_TRUE(may_pass(0.0, 24.9));  // 18 m to the upper turn, 2 m of dive, 25 m to the bed
@@ -170,7 +177,7 @@ TEST(UnderIce, PassesButDoesNotCountOnSurfacingWhereNothingIsKnown) {
 
 TEST(UnderIce, KeepsBelowTheKeelsThatWereKnownLast) {
   const ocean::Environment environment{.ice = ice_in_the_east()};
-  const UnderIce ice{environment, request_in_ice(), projection, area, core::Metres{500.0}};
+  const UnderIce ice = under_ice(environment, request_in_ice());
   const core::Seconds long_after = ocean::longest_ice_hold + core::Seconds{3600.0};
 
   EXPECT_NEAR(ice.least_upper_turn({20'000.0, 0.0}, long_after).value, 18.0, 1e-5);
