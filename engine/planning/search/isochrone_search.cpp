@@ -5,6 +5,7 @@
 
 #include "engine/graph/label_search.hpp"
 #include "engine/graph/time_dependent_astar.hpp"
+#include "engine/planning/search/bounds/foresight.hpp"
 #include "engine/planning/search/grid/grid_travel.hpp"
 
 namespace floeplan::planning::search {
@@ -87,19 +88,30 @@ class BoundedVoyage {
   std::vector<std::vector<Arrival>> best_;  // the best arrivals so far, for each vertex
 };
 
+/// Sharp lower bounds of the times of edges, and no goal.
+struct ForesightEdges {
+  Foresight& foresight;
+
+  [[nodiscard]] core::Seconds least_time(const graph::Edge& edge, core::Seconds depart) const {
+    return foresight.least_time(edge, depart);
+  }
+  [[nodiscard]] static core::Seconds remaining(Vertex) { return core::Seconds{0.0}; }
+  [[nodiscard]] static core::Seconds latest_use(Vertex) { return core::Seconds{INFINITY}; }
+};
+
 graph::SearchTree search_without_bound(const cost::Sea& sea, const OpenGrid& open, Direction direction,
                                        core::Seconds begin, core::Seconds latest, const std::stop_token& stop,
                                        const graph::ExpansionCallback& report) {
   const graph::Query query{
       .source = open.grid.start, .goal = std::nullopt, .depart = begin, .latest = latest};
-  const StraightBound straight{sea, open.grid, open.graph, open.grid.start};
-  const EdgeBound bound{straight};
   if (direction == Direction::from) {
-    return graph::find_earliest_arrivals(open.graph, query, GridTravelTime{sea, open.grid}, stop, bound,
-                                         report);
+    Foresight foresight{sea, open};
+    return graph::find_earliest_arrivals(open.graph, query, GridTravelTime{sea, open.grid}, stop,
+                                         ForesightEdges{foresight}, report);
   }
-  return graph::find_earliest_arrivals(open.graph, query, GridTravelTimeBack{sea, open.grid}, stop, bound,
-                                       report);
+  const StraightBound straight{sea, open.grid, open.graph, open.grid.start};
+  return graph::find_earliest_arrivals(open.graph, query, GridTravelTimeBack{sea, open.grid}, stop,
+                                       EdgeBound{straight}, report);
 }
 
 Reached reached_by(const graph::SearchTree& tree, std::size_t vertices) {
