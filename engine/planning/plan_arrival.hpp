@@ -13,7 +13,8 @@
 namespace floeplan::planning {
 
 /// The plan with the latest departure that arrives by the request's `departures.arrive_by`: the plan for this
-/// departure alone. It arrives at most a minute, or a thousandth of the travel time, before the wanted time,
+/// departure alone or, if that is sooner at the goal, the route of a plan for an earlier departure. It arrives
+/// at most a minute, or a thousandth of the travel time, before the wanted time,
 /// unless closures prevent it.
 /// Errors   Reason::arrival_too_early when even the earliest departure, `request.depart`, arrives later;
 ///          otherwise as plan_route

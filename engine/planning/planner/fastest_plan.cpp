@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -95,9 +96,25 @@ bool is_as_early_as_any(const search::Chart& chart, core::Seconds travel_time) {
   return travel_time <= cost::earliest_arrival(chart.sea, chart.layout.points) + slack;
 }
 
+/// Replaces the route by the known one if that passes the same stops, is open and arrives earlier.
+void take_if_faster(std::span<const geo::LonLat> known, const search::Chart& chart, cost::Route& route) {
+  const std::vector<geo::LonLat>& stops = chart.layout.stops;
+  cost::Route other;
+  std::size_t passed = 0;
+  for (const geo::LonLat place : known) {
+    other.points.push_back(chart.layout.projection.to_plane(place));
+    other.fixed.push_back(passed < stops.size() && place == stops[passed]);
+    if (other.fixed.back()) ++passed;
+  }
+  if (known.empty() || passed < stops.size()) return;
+  const auto of_other = cost::arrivals_along(chart.sea, other.points, cost::at_departure);
+  const auto of_route = cost::arrivals_along(chart.sea, route.points, cost::at_departure);
+  if (of_other && (!of_route || of_other->back() < of_route->back())) route = std::move(other);
+}
+
 /// The steps of planning: search area, search, refinement, published plan.
 Attempt plan_within(cost::GridReach reach, const Task& task) {
-  const auto& [environment, request, stop, progress, wider, executor, of_use] = task;
+  const auto& [environment, request, stop, progress, wider, executor, of_use, known_route] = task;
   progress("environment", 0.0);
   Result<search::Chart> chart = search::draw_chart(environment, request, reach, stop);
   if (!chart) return {.plan = tl::unexpected(std::move(chart.error()))};
@@ -109,6 +126,7 @@ Attempt plan_within(cost::GridReach reach, const Task& task) {
     return {.plan = tl::unexpected(std::move(way.error())), .wider_may_help = !is_over};
   }
   if (stop.stop_requested()) return {.plan = tl::unexpected(search::explain_cancelled(request))};
+  take_if_faster(known_route, *chart, way->improved.route);
   Result<Plan> plan =
       publish::publish(*chart, environment, request, way->improved, way->found.statistics, stop);
   if (plan && is_as_early_as_any(*chart, plan->travel_time())) plan->search.none_is_earlier = true;
@@ -168,7 +186,7 @@ std::optional<PlanRequest> without_leave(const ocean::Environment& environment, 
 }  // namespace
 
 Result<Plan> plan_fastest(const Task& task, const Planning&) {
-  const auto& [environment, request, stop, progress, wider, executor, of_use] = task;
+  const auto& [environment, request, stop, progress, wider, executor, of_use, known_route] = task;
   const std::optional<PlanRequest> strict = without_leave(environment, request);
   const core::ProgressCallback as_asked = core::part_of(progress, "", 0.0, strict ? 0.5 : 1.0);
   Attempt best = plan_on_grids(task.telling(as_asked));

@@ -144,7 +144,7 @@ core::UtcTime arrival_that_counts(const Plan& plan, const UncertaintyRules& rule
 }
 
 Result<Plan> plan_uncertain(const Task& task, const Planning& plan_in_one_sea) {
-  const auto& [environment, asked, stop, progress, wider, executor, of_use] = task;
+  const auto& [environment, asked, stop, progress, wider, executor, of_use, known_route] = task;
   PlanRequest request = asked;
   request.optimality_gap = false;
   const UncertaintyRules& rules = request.uncertainty;

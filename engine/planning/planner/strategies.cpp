@@ -102,10 +102,11 @@ Result<Plan> plan_by(std::span<const Strategy> strategies, const Task& task) {
 
 Result<Plan> try_to_plan(const ocean::Environment& environment, const PlanRequest& request,
                          const std::stop_token& stop, const core::ProgressCallback& report,
-                         const core::Executor& executor) {
+                         const core::Executor& executor, std::span<const geo::LonLat> known_route) {
   throw_if_invalid(request);
   const core::ProgressCallback progress = report ? report : [](std::string_view, double) {};
-  return plan_by(all_strategies().subspan(1), {environment, request, stop, progress, {}, executor});
+  return plan_by(all_strategies().subspan(1),
+                 {environment, request, stop, progress, {}, executor, core::Seconds{INFINITY}, known_route});
 }
 
 }  // namespace floeplan::planning::planner

@@ -30,9 +30,11 @@ struct Strategy {
 [[nodiscard]] Result<Plan> plan_by(std::span<const Strategy> strategies, const Task& task);
 
 /// `plan_route` without diagnosis and on one kind of grid; for callers that plan many variants.
+/// `known_route`: a route that the plan takes if its search finds no faster one; empty: none
 /// Errors and Stops  as `plan_route`
 [[nodiscard]] Result<Plan> try_to_plan(const ocean::Environment& environment, const PlanRequest& request,
                                        const std::stop_token& stop, const core::ProgressCallback& progress,
-                                       const core::Executor& executor = core::in_order());
+                                       const core::Executor& executor = core::in_order(),
+                                       std::span<const geo::LonLat> known_route = {});
 
 }  // namespace floeplan::planning::planner

@@ -154,7 +154,7 @@ class SurveyPlans {
 }  // namespace
 
 Result<Plan> plan_survey(const Task& task, const Planning& plan_in_order) {
-  const auto& [environment, request, stop, progress, wider, executor, of_use] = task;
+  const auto& [environment, request, stop, progress, wider, executor, of_use, known_route] = task;
   progress("order of visits", 0.0);
   const auto first = best_via_order(environment, request, stop);
   const bool minds_time = request.energy.objective.is_time() && request.objective().of_encounters == 0.0;

@@ -2,11 +2,13 @@
 
 #include <cmath>
 #include <functional>
+#include <span>
 #include <stop_token>
 #include <string_view>
 
 #include "engine/core/executor.hpp"
 #include "engine/core/progress.hpp"
+#include "engine/geo/lon_lat.hpp"
 #include "engine/ocean/environment.hpp"
 #include "engine/planning/problem/infeasible.hpp"
 #include "engine/planning/problem/plan.hpp"
@@ -25,18 +27,20 @@ struct Task {
   const core::Executor& executor{core::in_order()};
   /// A search may leave out routes with longer travel times on the grid, because a better plan is known.
   core::Seconds of_use{INFINITY};
+  /// A route that a plan may take if it finds no faster one; empty: none. Borrowed.
+  std::span<const geo::LonLat> known_route{};
 
   /// A copy for another request.
   [[nodiscard]] Task with(const PlanRequest& other) const {
-    return {environment, other, stop, progress, wider, executor, of_use};
+    return {environment, other, stop, progress, wider, executor, of_use, known_route};
   }
   /// A copy for another environment.
   [[nodiscard]] Task in(const ocean::Environment& other) const {
-    return {other, request, stop, progress, wider, executor, of_use};
+    return {other, request, stop, progress, wider, executor, of_use, known_route};
   }
   /// A copy that reports its progress to `other`, which is borrowed.
   [[nodiscard]] Task telling(const core::ProgressCallback& other) const {
-    return {environment, request, stop, other, wider, executor, of_use};
+    return {environment, request, stop, other, wider, executor, of_use, known_route};
   }
   /// A copy that looks only for plans that may be faster than `known`.
   [[nodiscard]] Task to_beat(const Plan& known) const {
@@ -47,12 +51,12 @@ struct Task {
   }
   /// A copy for one of several parallel pieces of work: no progress reports, on one thread.
   [[nodiscard]] Task as_piece() const {
-    return {environment, request, stop, silently().progress, wider, core::in_order(), of_use};
+    return {environment, request, stop, silently().progress, wider, core::in_order(), of_use, known_route};
   }
   /// A copy without progress reports.
   [[nodiscard]] Task silently() const {
     static const core::ProgressCallback silent = [](std::string_view, double) {};
-    return {environment, request, stop, silent, wider, executor, of_use};
+    return {environment, request, stop, silent, wider, executor, of_use, known_route};
   }
 };
 

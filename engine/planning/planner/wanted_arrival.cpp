@@ -5,11 +5,13 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "engine/core/utc_text.hpp"
 #include "engine/messages/plan_messages.hpp"
 #include "engine/messages/refusal_messages.hpp"
 #include "engine/planning/cost/hold_times.hpp"
+#include "engine/planning/cost/route_cost.hpp"
 #include "engine/planning/planner/departure.hpp"
 #include "engine/planning/planner/robust_plan.hpp"
 #include "engine/planning/planner/strategies.hpp"
@@ -32,6 +34,7 @@ struct Beginning {
   core::UtcTime arrive;  // the last time up to the wanted arrival at which the goal is open
   core::UtcTime
       holds_until;  // a vehicle that is at the start from the earliest departure on can hold there till then
+  std::optional<search::Chart> chart{};  // the search area of the estimate
 };
 
 core::Seconds last_open_moment(const cost::Sea& sea, geo::PlanePoint place, core::Seconds until) {
@@ -48,21 +51,50 @@ core::Seconds stays_at_the_start(const cost::Sea& sea, geo::PlanePoint start, co
   return longest > earliest ? cost::can_stay_until(sea, start, earliest, longest) : earliest;
 }
 
+/// The latest departure with which a vehicle on the plan's route is at the goal by `wanted`. Empty if that is
+/// not later than the plan's departure, or if the arrival of the plan is not that of its route alone.
+std::optional<core::UtcTime> latest_on_the_same_route(const Plan& plan, core::UtcTime arrival_of_plan,
+                                                      const search::Chart& chart, core::UtcTime epoch,
+                                                      core::UtcTime wanted) {
+  constexpr int most_steps = 8;  // each divides the error by ten or more where currents change over hours
+  constexpr core::Seconds whole{1.0};
+  std::vector<geo::PlanePoint> points;
+  for (const Waypoint& waypoint : plan.waypoints)
+    points.push_back(chart.layout.projection.to_plane(waypoint.place));
+  const auto spare_if_left_at = [&](core::Seconds depart) -> std::optional<core::Seconds> {
+    const auto arrivals = cost::arrivals_along(chart.sea, points, depart);
+    if (!arrivals) return std::nullopt;
+    return (wanted - epoch) - arrivals->back();
+  };
+  core::Seconds depart = plan.departure - epoch;
+  auto spare = spare_if_left_at(depart);
+  if (!spare || std::abs((*spare - (wanted - arrival_of_plan)).count()) > close_enough.count())
+    return std::nullopt;
+  std::optional<core::UtcTime> latest;
+  for (int step = 0; step < most_steps && spare && std::abs(spare->count()) > whole.count(); ++step) {
+    depart += *spare;
+    spare = spare_if_left_at(depart);
+    if (spare && spare->count() >= 0.0 && epoch + depart > plan.departure) latest = epoch + depart;
+  }
+  return latest;
+}
+
 Result<Beginning> begin(const ocean::Environment& environment, const PlanRequest& request,
                         const std::stop_token& stop) {
   constexpr core::Seconds earliest{0.0};
   Beginning beginning{request.depart, *request.departures.arrive_by, request.depart};
   for (const cost::GridReach reach : cost::reaches(request)) {
-    const auto chart = search::draw_chart(environment, request, reach, stop);
-    if (!chart) return tl::unexpected(chart.error());
-    const core::Seconds arrive = last_open_moment(chart->sea, chart->layout.points.back(),
+    auto drawn = search::draw_chart(environment, request, reach, stop);
+    if (!drawn) return tl::unexpected(std::move(drawn.error()));
+    const search::Chart& chart = beginning.chart.emplace(std::move(*drawn));
+    const core::Seconds arrive = last_open_moment(chart.sea, chart.layout.points.back(),
                                                   *request.departures.arrive_by - request.depart);
     if (arrive > earliest) beginning.arrive = request.depart + arrive;
     beginning.holds_until =
-        request.depart + stays_at_the_start(chart->sea, chart->layout.points.front(), arrive);
+        request.depart + stays_at_the_start(chart.sea, chart.layout.points.front(), arrive);
     if (request.method == Method::direct) break;
-    const auto grids = search::open_grids(chart->sea, chart->layout.grids, request.sectors, stop);
-    const auto depart = search::latest_departure(chart->sea, grids, arrive, earliest, stop);
+    const auto grids = search::open_grids(chart.sea, chart.layout.grids, request.sectors, stop);
+    const auto depart = search::latest_departure(chart.sea, grids, arrive, earliest, stop);
     if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
     if (!depart) continue;
     beginning.depart = request.depart + *depart;
@@ -109,8 +141,9 @@ class LatestDeparture {
         parts_{progress, "latest departure"} {}
 
   Result<Plan> find() {
-    const auto beginning = begin(environment_, request_, stop_);
-    if (!beginning) return tl::unexpected(beginning.error());
+    auto beginning = begin(environment_, request_, stop_);
+    if (!beginning) return tl::unexpected(std::move(beginning.error()));
+    chart_ = std::move(beginning->chart);
     wanted_ = beginning->arrive;
     holds_until_ = beginning->holds_until;
     climb(std::max(whole_second(beginning->depart), request_.depart));
@@ -153,26 +186,32 @@ class LatestDeparture {
   /// plan so far.
   /// Returns the time left until the wanted arrival, negative if late; empty if there is no plan.
   std::optional<core::Seconds> try_at(core::UtcTime depart) {
-    auto plan = try_to_plan(environment_, leaving_at(request_, depart), stop_, parts_.next(), executor_);
+    auto plan =
+        try_to_plan(environment_, leaving_at(request_, depart), stop_, parts_.next(), executor_, route_);
+    onward_.reset();
+    route_.clear();
     if (!plan) {
       binds_ = plan.error().binding;
       return std::nullopt;
     }
     const core::Seconds spare = left(*plan);
     some_arrive_ = true;
+    for (const Waypoint& waypoint : plan->waypoints) route_.push_back(waypoint.place);
+    if (spare.count() > 0.0)
+      onward_ = latest_on_the_same_route(*plan, wanted_ - spare, *chart_, request_.depart, wanted_);
     if (spare.count() >= 0.0 && (!best_ || plan->departure > best_->departure)) best_ = std::move(*plan);
     return spare;
   }
 
-  /// Moves the departure later by the time left until the wanted arrival, or earlier by the time missing.
-  /// Under FIFO both converge to the latest departure in time.
+  /// Moves the departure later, as far as the route of the last plan allows, or by the time left until the
+  /// wanted arrival; or earlier by the time missing. Under FIFO all converge to the latest departure in time.
   /// `fails`: a departure known not to be in time
   void climb(core::UtcTime depart, std::optional<core::UtcTime> fails = std::nullopt) {
     for (int tries = 0; tries < most_plans && !is_cancelled(); ++tries) {
       const auto spare = try_at(depart);
       if (is_late_enough()) return;
       if (spare && spare->count() >= 0.0 && !fails) {
-        depart = whole_second(depart + *spare);
+        depart = whole_second(onward_.value_or(depart + *spare));
         continue;
       }
       if (!spare || spare->count() < 0.0) fails = depart;
@@ -245,9 +284,12 @@ class LatestDeparture {
   const std::stop_token& stop_;
   const core::Executor& executor_;
   core::PartsOfProgress parts_;
-  std::optional<Plan> best_;         // the latest departure found that is in time
-  bool some_arrive_{false};          // whether any tried departure arrived, even late
-  std::optional<Constraint> binds_;  // what stopped the last departure without a plan
+  std::optional<search::Chart> chart_;   // as in Beginning
+  std::vector<geo::LonLat> route_;       // of the plan tried last; empty: there was none
+  std::optional<core::UtcTime> onward_;  // the latest departure on that route
+  std::optional<Plan> best_;             // the latest departure found that is in time
+  bool some_arrive_{false};              // whether any tried departure arrived, even late
+  std::optional<Constraint> binds_;      // what stopped the last departure without a plan
 };
 
 }  // namespace

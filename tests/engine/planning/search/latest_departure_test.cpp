@@ -6,8 +6,10 @@
 #include <algorithm>
 
 #include "engine/messages/sentence.hpp"
+#include "engine/planning/evaluate_route.hpp"
 #include "engine/planning/plan_arrival.hpp"
 #include "engine/planning/plan_route.hpp"
+#include "engine/planning/planner/strategies.hpp"
 #include "engine/planning/search/chart.hpp"
 #include "engine/planning/search/voyage_grids.hpp"
 #include "engine/planning/search/voyage_search.hpp"
@@ -88,19 +90,48 @@ TEST(PlanArrival, ArrivesInTimeAndHardlyBefore) {
   });
 }
 
-TEST(PlanArrival, IsThePlanForItsDepartureAlone) {
-  std::mt19937_64 rng{4};
-  const ocean::Environment environment = random_tide(rng, 150);
-  PlanRequest request = arriving_after(100.0);
-  const auto plan = plan_arrival(environment, request, {}, {});
-  ASSERT_TRUE(plan.has_value());
+/// Law: it is the plan for its departure alone, or a route that is a little sooner at the goal.
+TEST(PlanArrival, IsAsSoonAtTheGoalAsThePlanForItsDepartureAlone) {
+  support::for_each_seed(4, [](std::mt19937_64& rng) {
+    const ocean::Environment environment = random_tide(rng, 150);
+    PlanRequest request = arriving_after(100.0);
+    const auto plan = plan_arrival(environment, request, {}, {});
+    ASSERT_TRUE(plan.has_value());
 
-  request.depart = plan->departure;
-  request.departures = {};
-  const auto again = plan_route(environment, request, {}, {});
+    request.depart = plan->departure;
+    request.departures = {};
+    const auto alone = plan_route(environment, request, {}, {});
 
-  EXPECT_EQ(again->arrival, plan->arrival);
-  EXPECT_EQ(again->waypoints.size(), plan->waypoints.size());
+    EXPECT_LE(plan->arrival, alone->arrival);
+    EXPECT_GE(plan->travel_time(), (1.0 - request.leg_tolerance - 1e-3) * alone->travel_time());
+    if (plan->arrival == alone->arrival) {
+      EXPECT_EQ(plan->waypoints.size(), alone->waypoints.size());
+    }
+  });
+}
+
+TEST(PlanArrival, TakesAKnownRouteOnlyIfThatIsSoonerAtTheGoal) {
+  support::for_each_seed(4, [](std::mt19937_64& rng) {
+    const ocean::Environment environment = random_tide(rng, 200);
+    const PlanRequest request = coarse_request();
+    const auto found = planner::try_to_plan(environment, request, {}, {});
+    ASSERT_TRUE(found.has_value());
+    PlanRequest later = request;
+    later.depart += core::Seconds{support::uniform(rng, 0.0, 7200.0)};
+    std::vector<geo::LonLat> way;
+    for (const Waypoint& waypoint : found->waypoints) way.push_back(waypoint.place);
+    const auto timed = evaluate_route(environment, way, later, {});
+    ASSERT_TRUE(timed.has_value());
+    const auto alone = planner::try_to_plan(environment, later, {}, {});
+    const std::vector<geo::LonLat> elsewhere{{-53.5, 69.0}, {-53.0, 69.1}};
+
+    const auto plan = planner::try_to_plan(environment, later, {}, {}, core::in_order(), way);
+
+    EXPECT_NEAR((plan->arrival - std::min(timed->arrival, alone->arrival)).count(), 0.0, 1.0);
+    const auto of_another_goal =
+        planner::try_to_plan(environment, later, {}, {}, core::in_order(), elsewhere);
+    EXPECT_EQ(of_another_goal->arrival, alone->arrival);
+  });
 }
 
 TEST(PlanArrival, CountsTheIcebergsThatAreYoungEnoughForItsDeparture) {
