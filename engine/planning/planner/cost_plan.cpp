@@ -201,20 +201,20 @@ Result<Plan> better_of(Result<Plan> known, Result<Plan> found, const Objective& 
   return known;
 }
 
-/// The cheapest result of searches on the request's grids: one with all kinds of propulsion and one with each
-/// kind alone. The latter take little time, and are often better if the former is cut short.
+/// The cheapest result of searches on the request's grids: one with all kinds of propulsion and, if that is
+/// cut short, one with each kind alone. The latter are then often better.
 Result<Plan> best_on_grids(const Task& task, const std::vector<vehicle::Drive>& alone) {
   const PlanRequest& request = task.request;
   Result<Plan> best = plan_on_either_reach(task);
-  const bool is_cut_short = was_cut_short(best);
+  if (!was_cut_short(best) || drives(request.energy, request.vehicle).size() == 1) return best;
   for (const vehicle::Drive drive : alone) {
-    if (task.stop.stop_requested() || drives(request.energy, request.vehicle).size() == 1) break;
+    if (task.stop.stop_requested()) break;
     PlanRequest on_drive = request;
     on_drive.energy.thruster = only(drive);
     Result<Plan> found = plan_on_either_reach(task.with(on_drive).silently());
     if (!costs_less(found, best, request.objective())) continue;
     best = std::move(found);
-    if (is_cut_short && !was_cut_short(best)) {
+    if (!was_cut_short(best)) {
       best->search.cut_short = true;
       best->messages.push_back(messages::plan_message<"cost-search-cut-short">());
     }

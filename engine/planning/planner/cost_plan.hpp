@@ -32,7 +32,7 @@ struct KnownPlan {
 };
 
 /// The best of the known plan and of searches for the least cost without holds, with all kinds of propulsion
-/// and with each of `on_drives` alone. The searches use coarser grids. The request's own grids follow if the
+/// and, if that search is cut short, with each of `on_drives` alone. The searches use coarser grids. The request's own grids follow if the
 /// coarse result costs too much to be taken, or if the request fixes the grid.
 [[nodiscard]] Result<Plan> search_least_cost_plan(const KnownPlan& known, const Task& task);
 
