@@ -7,6 +7,7 @@
 #include "api/codec/bytes/document_values.hpp"
 #include "api/codec/documents/plan_document.hpp"
 #include "api/service/export_sea.hpp"
+#include "api/service/low_water.hpp"
 #include "api/service/mission_service.hpp"
 #include "engine/messages/export_messages.hpp"
 #include "engine/messages/sentence.hpp"
@@ -104,6 +105,9 @@ PlanCheck in_newest_data(sql::Connection& db, const repository::PlanRecord& reco
     return ocean::is_too_old(berg, plan.departure);
   });
   if (too_old > 0) check.dangers.push_back(messages::export_message<"sightings-too-old-for-plan">(too_old));
+  // A plan does not name the water levels, so new ones do not make it stale.
+  if (auto caution = low_water_caution(db, *environment, inputs->request.vehicle, plan))
+    check.besides.push_back(std::move(*caution));
   if (!check.stale()) return check;
 
   inputs->request.depart = plan.departure;  // for a window of departures the best one

@@ -2,9 +2,11 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "api/service/plan_check.hpp"
 #include "api/service/plan_service.hpp"
 #include "api/service/threads.hpp"
 #include "engine/core/utc_text.hpp"
@@ -45,8 +47,8 @@ class LowWater : public testing::Test {
     }
   }
 
-  /// The caution of a plan that leaves at an hour after six, eastward from 53.3 W: it passes 52.96 W about 11 h later.
-  std::optional<json> caution(int hours_later, double altimeter_margin_m) {
+  /// A plan that leaves at an hour after six, eastward from 53.3 W: it passes 52.96 W about 11 h later.
+  json plan(int hours_later, double altimeter_margin_m) {
     const auto inputs =
         codec::parse_plan_inputs(json{{"from", {-53.3, 69.0}},
                                       {"to", {-52.7, 69.0}},
@@ -54,12 +56,24 @@ class LowWater : public testing::Test {
                                       {"vehicle", {{"altimeter_margin_m", altimeter_margin_m}}},
                                       {"method", "direct"}})
             .value();
-    const json plan = plan_route_document(db_, inputs, Threads{1}, {}, {}, six_).value();
-    EXPECT_EQ(plan.at("status"), "ok") << plan.dump(1);
-    if (plan.contains("messages"))
-      for (const json& message : plan.at("messages"))
+    json document = plan_route_document(db_, inputs, Threads{1}, {}, {}, six_).value();
+    EXPECT_EQ(document.at("status"), "ok") << document.dump(1);
+    return document;
+  }
+
+  std::optional<json> caution(int hours_later, double altimeter_margin_m) {
+    const json document = plan(hours_later, altimeter_margin_m);
+    if (document.contains("messages"))
+      for (const json& message : document.at("messages"))
         if (message.at("code") == "low-water-at-bed") return message;
     return std::nullopt;
+  }
+
+  /// Whether a check of the stored plan tells it.
+  bool is_told_again(const json& document) {
+    const auto record = repository::PlanRepository{db_}.find({document.at("plan_id").get<std::string>()});
+    const std::vector<messages::Message> told = all_of(check_plan(db_, record.value()));
+    return std::ranges::count(told, "low-water-at-bed", &messages::Message::code) == 1;
   }
 
  private:
@@ -106,6 +120,14 @@ TEST_F(LowWater, AboveABedThatTheDivesDoNotReachIsNoCaution) {
   add_bed(400.0F);
   add_falling_levels();
   EXPECT_FALSE(caution(0, 10.0));
+}
+
+TEST_F(LowWater, IsToldByACheckOfAPlanThatIsOlderThanTheLevels) {
+  add_bed(40.0F);
+  const json before = plan(0, 10.0);
+  EXPECT_FALSE(is_told_again(before));
+  add_falling_levels();
+  EXPECT_TRUE(is_told_again(before));
 }
 
 TEST_F(LowWater, IsNoMatterWithoutDepths) {
