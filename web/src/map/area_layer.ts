@@ -38,7 +38,7 @@ export function areaLayer(): { layer: VectorLayer<VectorSource>; draw: Draw } {
     const form = openForm.value;
     const stored = zones.value.filter(({ id }) => id !== form?.before?.id || form.kind !== 'zones');
     const obeyed = chosenAll('zones').map(({ id }) => id);
-    const put = (area: Area, style: Style): void => {
+    const put = (area: Area, style: Style[]): void => {
       const [first] = area.corners;
       if (!first) return;
       const feature = new Feature(new Polygon([toMap(code, densify([...area.corners, first], 2000))]));
@@ -113,33 +113,33 @@ function drawZone(corners: Position[]): void {
   tool.value = 'pan';
 }
 
-function areaStyle({ kind, name, from, until, top_m, bottom_m }: Area, colours: Palette): Style {
+function areaStyle({ kind, name, from, until, top_m, bottom_m }: Area, colours: Palette): Style[] {
   const closed = kind === 'no_go';
   const color = closed ? colours.danger : colours.start;
-  const times = from || until ? `\n${from || '…'} – ${until || '…'}` : '';
-  const depths = top_m || bottom_m ? `\n${top_m || '0'} – ${bottom_m ? `${bottom_m} m` : 'sea bed'}` : '';
-  return new Style({
+  const times = from || until ? [`${from || '…'} – ${until || '…'}`] : [];
+  const depths = top_m || bottom_m ? [`${top_m || '0'} – ${bottom_m ? `${bottom_m} m` : 'sea bed'}`] : [];
+  const outline = new Style({
     ...(closed ? { fill: new Fill({ color: hatching(color) }) } : {}),
     stroke: new Stroke({ color, width: 2, ...(closed ? {} : { lineDash: [10, 5] }) }),
-    text: new Text({
-      text: `${name}${depths}${times}`,
-      font: '600 12px system-ui, sans-serif',
-      overflow: true,
-      fill: new Fill({ color }),
-      stroke: new Stroke({ color: colours.halo, width: 3.5 }),
-    }),
   });
+  return [outline, ...lineStyles([name, ...depths, ...times], color, colours)];
 }
 
 /** Only an outline, because no plan obeys the area. */
-function asideStyle({ name }: Area, why: string, colours: Palette): Style {
-  return new Style({
-    stroke: new Stroke({ color: colours.stale, width: 1.5, lineDash: [2, 4] }),
+const asideStyle = ({ name }: Area, why: string, colours: Palette): Style[] => [
+  new Style({ stroke: new Stroke({ color: colours.stale, width: 1.5, lineDash: [2, 4] }) }), ...lineStyles([`${name} (${why})`], colours.stale, colours),
+];
+
+const lineHeight_px = 15;
+
+/** The lines of a name inside an area. OpenLayers leaves out each that is wider than the area, so that on small maps names do not lie on each other. */
+const lineStyles = (lines: string[], color: string, colours: Palette): Style[] =>
+  lines.map((text, i) => new Style({
     text: new Text({
-      text: `${name} (${why})`, font: '12px system-ui, sans-serif', overflow: true, fill: new Fill({ color: colours.stale }), stroke: new Stroke({ color: colours.halo, width: 3.5 }),
+      text, font: '600 12px system-ui, sans-serif', offsetY: lineHeight_px * (i - (lines.length - 1) / 2), fill: new Fill({ color }),
+      stroke: new Stroke({ color: colours.halo, width: 3.5 }),
     }),
-  });
-}
+  }));
 
 /** Diagonal lines, so that a closed area does not depend on colour alone. */
 function hatching(color: string): ColorLike {

@@ -62,7 +62,7 @@ const holdRing_px = 11;
 
 /**
  * Waypoints of the selected plan, unless a copy of it is being edited: a dot each, a square where the vehicle may not
- * surface, and the number if there is room. The chosen waypoint, start, goal and holds get their number first.
+ * surface, and the name if there is room. The chosen waypoint, start, goal and holds get theirs first.
  */
 export function waypointLayer(): VectorLayer<VectorSource> {
   const source = new VectorSource();
@@ -77,7 +77,7 @@ export function waypointLayer(): VectorLayer<VectorSource> {
     const { plan: { plan_id, waypoints }, style } = shown;
     const goal = waypoints.length - 1;
     const labels = waypoints.map((waypoint) => ({
-      at: project(code, [waypoint.lon, waypoint.lat]), text: waypointLabel(waypoint.index), rank: waypoint.index === chosen ? 0 : waypoint.index === 0 || waypoint.index === goal || hold_s(waypoint) > 0 ? 1 : 2,
+      at: project(code, [waypoint.lon, waypoint.lat]), text: nameOf(waypoint), rank: waypoint.index === chosen ? 0 : waypoint.index === 0 || waypoint.index === goal || hold_s(waypoint) > 0 ? 1 : 2,
     }));
     const withRoom = labelsWithRoom([...labels].sort((a, b) => a.rank - b.rank));
     waypoints.forEach((waypoint, i) => {
@@ -88,7 +88,7 @@ export function waypointLayer(): VectorLayer<VectorSource> {
       const feature = new Feature(new Point(label.at));
       feature.set('waypoint', waypoint.index);
       feature.set('planId', plan_id);
-      feature.set('name', label.text);
+      feature.set('name', waypointLabel(waypoint.index));
       feature.setStyle((_, resolution) => (withRoom(resolution).has(label) ? [...marks, name] : marks));
       source.addFeature(feature);
     });
@@ -97,7 +97,10 @@ export function waypointLayer(): VectorLayer<VectorSource> {
   return layer;
 }
 
-/** Marks of a waypoint; a hold is a ring around it with its duration below. */
+/** The number of a waypoint, and how long the vehicle holds there. */
+const nameOf = (waypoint: Waypoint): string => [waypointLabel(waypoint.index), ...(hold_s(waypoint) > 0 ? [holdText(waypoint)] : [])].join(' ');
+
+/** Marks of a waypoint; a hold is a ring around it. */
 function markStyles(waypoint: Waypoint, style: number, chosen: boolean, colours: Palette): Style[] {
   const colour = planColour(colours, style);
   const fill = new Fill({ color: chosen ? colour : colours.casing });
@@ -105,16 +108,9 @@ function markStyles(waypoint: Waypoint, style: number, chosen: boolean, colours:
   const closed = new RegularShape({
     points: 4, angle: Math.PI / 4, radius: chosen ? 9 : 6.5, fill: new Fill({ color: colour }), stroke: new Stroke({ color: chosen ? colours.ink : colours.casing, width: 2 }),
   });
-  const holdTime = new Style({
-    text: new Text({
-      text: holdText(waypoint), font: '600 11px system-ui, sans-serif', offsetY: holdRing_px + 11, fill: new Fill({ color: colour }),
-      stroke: new Stroke({ color: colours.casing, width: 3.5 }),
-    }),
-    zIndex: 2,
-  });
   const ring = (width: number, color: string): Style => new Style({ image: new Circle({ radius: holdRing_px, stroke: new Stroke({ color, width }) }), zIndex: 1 });
   return [
-    ...(hold_s(waypoint) > 0 ? [ring(5, colours.casing), ring(2, colour), holdTime] : []),
+    ...(hold_s(waypoint) > 0 ? [ring(5, colours.casing), ring(2, colour)] : []),
     new Style({ image: waypoint.may_surface === false ? closed : dot, zIndex: 1 }),
   ];
 }
@@ -164,7 +160,7 @@ function arrowImage(fill: string, casing: string): string {
   return `data:image/svg+xml,${encodeURIComponent(svg)}`;
 }
 
-/** The letter stands between the number of a waypoint, above, and the time of a hold, below. */
+/** The letter stands below the name of a waypoint. */
 const letterRight_px = 20;
 const letterDown_px = 3;
 

@@ -7,6 +7,7 @@ import type { Plan } from '../../contract/types';
 import { vehicles } from '../../model/datasets';
 import { ofRank } from '../../model/messages';
 import { baseline, baselineId, shownPlans, titleOf } from '../../model/plan/plans';
+import { allHolds_s } from '../../model/plan/holds';
 import { settingRows } from '../../model/plan/settings_difference';
 import { requestOf } from '../../model/setup/requests';
 import { shortTime } from '../../model/time';
@@ -48,6 +49,7 @@ const encounters: Figure = { text: (value) => value.toFixed(2), shown: (value) =
 const columns: Column[] = [
   { title: 'Arrival', value: (plan) => Date.parse(plan.arrival) / 1000, ...instant },
   { title: 'Travel time', value: (plan) => plan.travel_time_s, ...time },
+  { title: 'Holds', value: allHolds_s, ...time },
   { title: 'Distance', value: (plan) => plan.distance_m, ...length },
   { title: 'Below ice', value: belowIce_m, ...length },
   { title: 'Time below ice', value: belowIce_s, ...time },
@@ -105,7 +107,7 @@ export function CompareDialog(): VNode {
               <th scope="col">Plan</th>
               <th scope="col">Baseline</th>
               {columns.map(({ title }, i) => <Heading key={title} title={title} column={i} />)}
-              {inputs.map(({ title }) => <th scope="col" key={title}>{title}</th>)}
+              {inputs.map(({ title }) => <th scope="col" class="words" key={title}>{title}</th>)}
             </tr>
           </thead>
           <tbody>
