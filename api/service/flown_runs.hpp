@@ -17,9 +17,11 @@ namespace floeplan::service {
 template <class Run, class Fly, class Take>
 void fly_runs(std::size_t count, const core::Executor& executor, const std::stop_token& stop,
               const core::ProgressCallback& progress, const Fly& fly, const Take& take) {
-  core::CountOfEnded flown{[&](std::size_t ended) {
+  const auto tell = [&](std::size_t ended) {
     if (progress) progress("flying", static_cast<double>(ended) / static_cast<double>(count));
-  }};
+  };
+  tell(0);
+  core::CountOfEnded flown{tell};
   core::run_packed_parts<Run>(
       executor, count,
       [&](std::size_t run, bool is_caller) -> std::optional<Run> {

@@ -30,6 +30,12 @@ std::string degrees_minutes(double degrees, char positive, char negative) {
   return text.data();
 }
 
+/// "69 10.245 N, 51 21.000 W"
+std::string position_text(geo::LonLat place) {
+  return degrees_minutes(place.lat_deg, 'N', 'S') + ", " +
+         degrees_minutes(geo::wrap_longitude(place.lon_deg), 'E', 'W');
+}
+
 std::string number(std::optional<double> value, int decimals, double factor = 1.0) {
   if (!value) return "-";
   std::array<char, 64> text{};
@@ -46,7 +52,7 @@ constexpr const char* style =
     "h1{font-size:16pt;margin:0 0 2mm}p,ul{margin:1mm 0}svg{width:100%;height:auto;border:1px solid #888}"
     "table{border-collapse:collapse;width:100%;margin-top:2mm}th,td{border-bottom:1px solid "
     "#ccc;padding:.4mm 1mm;"
-    "text-align:right;font-size:9pt}.sea{fill:#eef4f8}.land{fill:#d9d2c0;stroke:#8a8170;stroke-width:.6}"
+    "text-align:right;font-size:8.5pt}td{white-space:nowrap}li{break-inside:avoid}.sea{fill:#eef4f8}.land{fill:#d9d2c0;stroke:#8a8170;stroke-width:.6}"
     ".grid{stroke:#b8c6d0;stroke-width:.5;fill:none}.ice{fill:#fff;stroke:#0a6ea8;stroke-width:1}"
     ".route{fill:none;stroke:#c2410c;stroke-width:2}.below{fill:none;stroke:#fff;stroke-width:2;stroke-"
     "dasharray:4 "
@@ -99,9 +105,7 @@ std::vector<std::string> hold_facts(const planning::Plan& plan) {
 std::string safe_places_fact(const std::vector<geo::LonLat>& places) {
   std::string text = "Safe places:";
   for (std::size_t i = 0; i < places.size(); ++i)
-    text += (i == 0 ? " R" : "; R") + std::to_string(i + 1) + " " +
-            degrees_minutes(places[i].lat_deg, 'N', 'S') + ", " +
-            degrees_minutes(geo::wrap_longitude(places[i].lon_deg), 'E', 'W');
+    text += (i == 0 ? " R" : "; R") + std::to_string(i + 1) + " " + position_text(places[i]);
   return text + ".";
 }
 
@@ -127,31 +131,45 @@ std::map<std::string, std::string, std::less<>> labels_by_flag() {
   return labels;
 }
 
+/// The text with each match of the pattern replaced by what `write` makes of it.
+std::string rewritten(const std::string& text, const std::regex& pattern,
+                      const std::function<std::string(const std::smatch&)>& write) {
+  std::string result;
+  auto rest = text.cbegin();
+  for (std::sregex_iterator found{text.begin(), text.end(), pattern}, none; found != none; ++found) {
+    result.append(rest, (*found)[0].first);
+    result += write(*found);
+    rest = (*found)[0].second;
+  }
+  return result.append(rest, text.cend());
+}
+
 /// A sentence with labels, as “Via points”, in place of flags, as --via: whoever holds the page may have no command line.
 /// A flag without a label loses its dashes.
 std::string with_labels(const std::string& sentence) {
   static const auto labels = labels_by_flag();
   static const std::regex flag{"--([a-z]+(?:-[a-z]+)*)"};
-  std::string text;
-  auto rest = sentence.cbegin();
-  for (std::sregex_iterator found{sentence.begin(), sentence.end(), flag}, none; found != none; ++found) {
-    const std::string name = (*found)[1].str();
-    const auto label = labels.find(name);
-    text.append(rest, (*found)[0].first);
-    text += "\u201c" + (label == labels.end() ? name : label->second) + "\u201d";
-    rest = (*found)[0].second;
-  }
-  return text.append(rest, sentence.cend());
+  return rewritten(sentence, flag, [](const std::smatch& found) {
+    const auto label = labels.find(found[1].str());
+    return "\u201c" + (label == labels.end() ? found[1].str() : label->second) + "\u201d";
+  });
 }
 
-/// The message with a capital, a full stop and its position.
+/// A sentence with its positions, as -51.3500, 69.1707, written as in the table of waypoints.
+std::string with_positions(const std::string& sentence) {
+  static const std::regex lon_lat{"(-?[0-9]{1,3}\\.[0-9]{4}), (-?[0-9]{1,2}\\.[0-9]{4})"};
+  return rewritten(sentence, lon_lat, [](const std::smatch& found) {
+    return position_text({std::stod(found[1].str()), std::stod(found[2].str())});
+  });
+}
+
+/// The message with a capital, a full stop and, unless the sentence has it, its position.
 std::string printed_sentence(const messages::Message& message) {
-  std::string sentence = with_labels(messages::whole_text(message));
+  std::string sentence = with_positions(with_labels(messages::whole_text(message)));
   if (sentence.empty()) return sentence;
   sentence.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence.front())));
-  if (message.place)
-    sentence += " (" + degrees_minutes(message.place->lat_deg, 'N', 'S') + ", " +
-                degrees_minutes(geo::wrap_longitude(message.place->lon_deg), 'E', 'W') + ")";
+  if (message.place && sentence.find(position_text(*message.place)) == std::string::npos)
+    sentence += " (" + position_text(*message.place) + ")";
   return sentence + (sentence.ends_with('.') ? "" : ".");
 }
 

@@ -16,8 +16,8 @@ constexpr double page_width = 595.0;
 constexpr double page_height = 842.0;
 constexpr double margin = 36.0;
 constexpr double text_width = page_width - 2.0 * margin;
-constexpr std::array<double, 10> column_ends{20.0,  90.0,  160.0, 262.0, 297.0,
-                                             333.0, 374.0, 416.0, 480.0, 523.0};
+constexpr std::array<double, 10> column_ends{20.0,  82.0,  146.0, 248.0, 288.0,
+                                             326.0, 372.0, 416.0, 482.0, 523.0};
 
 struct Colour {
   double red, green, blue;

@@ -409,6 +409,15 @@ TEST(PlanBrief, NamesSettingsByTheirLabelsNotByFlags) {
   EXPECT_THAT(told[0].sentences.at(0), Not(HasSubstr("--")));
 }
 
+TEST(PlanBrief, WritesPositionsInSentencesAsInTheTable) {
+  planning::Plan plan = two_legs();
+  plan.messages = {messages::plan_message<"passes-close-to-land">(-51.35, 69.1707, 74.0, 156.0)};
+  const auto told = brief_messages(plan, {"p-01", "", plan.departure, {}});
+
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_THAT(told[0].sentences.at(0), testing::StartsWith("At 69 10.242 N, 51 21.000 W the route passes"));
+}
+
 TEST(IceSection, DrawsDraftKeelsAndTurnsTrueToScale) {
   planning::Plan plan = two_legs();
   plan.surfacing =
