@@ -79,8 +79,13 @@ mission::Document document_of(const std::string& file) {
   return unreadable;
 }
 
+/// The verdict as everything else printed for people has it: refused.
+std::string verdict_word(mission::Verdict verdict) {
+  return verdict == mission::Verdict::reject ? "refused" : mission::verdict_name(verdict);
+}
+
 void print_document(const mission::Document& document, const std::string& file) {
-  std::printf("%s: %s", file.c_str(), mission::verdict_name(document.verdict()).c_str());
+  std::printf("%s: %s", file.c_str(), verdict_word(document.verdict()).c_str());
   if (document.kind == mission::DocumentKind::arguments && !document.behaviors.empty())
     std::printf(", %s", document.behaviors.front().name.c_str());
   if (document.kind == mission::DocumentKind::mission)

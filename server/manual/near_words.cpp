@@ -26,14 +26,17 @@ std::vector<std::string> flag_names(const CLI::App& app) {
   return flags;
 }
 
+/// A word as a message names it: in quotes, unless dashes set it off.
+std::string named(const std::string& word) { return word.starts_with("-") ? word : '"' + word + '"'; }
+
 /// The message for an unknown word.
 /// `who`   subject of the message: "plan has no flag"
 /// `list`  the help command that lists the words
 std::string unknown(const std::string& who, const std::string& written, const std::vector<std::string>& words,
                     const std::string& list) {
   const std::string meant = core::near_word(written, words);
-  return meant.empty() ? messages::command_text<"unknown-word">(who, written, list)
-                       : messages::command_text<"misspelt-word">(who, written, meant);
+  return meant.empty() ? messages::command_text<"unknown-word">(who, named(written), list)
+                       : messages::command_text<"misspelt-word">(who, named(written), named(meant));
 }
 
 }  // namespace

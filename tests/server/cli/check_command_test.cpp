@@ -75,7 +75,7 @@ TEST(Check, ReadsTheMissionFilesOfAFolder) {
   EXPECT_EQ(answers[1]["file"], (folder / "yo10.ma").string());
   std::filesystem::create_directories(program.folder() / "empty");
   EXPECT_THAT(program.run({"check", (program.folder() / "empty").string()}).out,
-              HasSubstr("the folder holds no mission files"));
+              testing::AllOf(HasSubstr("empty: refused\n"), HasSubstr("the folder holds no mission files")));
 }
 
 const std::string list =

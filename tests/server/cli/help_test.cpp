@@ -84,7 +84,7 @@ TEST(Help, SaysWhatWasMeant) {
   EXPECT_THAT(topic.err, HasSubstr("there is no topic \"planing\"; did you mean \"planning\"?"));
   const Outcome command = program.run({"paln"});
   EXPECT_EQ(command.exit_code, 2);
-  EXPECT_THAT(command.err, HasSubstr("there is no command paln; did you mean plan?"));
+  EXPECT_THAT(command.err, HasSubstr("there is no command \"paln\"; did you mean \"plan\"?"));
   const Outcome flag = program.run({"plan", "--dpart", "2026-11-22T06:00:00Z"});
   EXPECT_EQ(flag.exit_code, 2);
   EXPECT_THAT(flag.err, HasSubstr("plan has no flag --dpart; did you mean --depart?"));

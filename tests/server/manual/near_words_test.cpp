@@ -26,13 +26,13 @@ std::optional<std::string> refused(std::vector<std::string> words) {
 }
 
 TEST(UnknownWord, IsNamedWithWhatWasMeant) {
-  EXPECT_THAT(refused({"paln"}), Optional(std::string{"there is no command paln; did you mean plan?"}));
+  EXPECT_THAT(refused({"paln"}), Optional(std::string{"there is no command \"paln\"; did you mean \"plan\"?"}));
   EXPECT_THAT(refused({"plan", "--dpart", "2026"}),
               Optional(std::string{"plan has no flag --dpart; did you mean --depart?"}));
   EXPECT_THAT(refused({"plan", "--margn=5"}),
               Optional(std::string{"plan has no flag --margn; did you mean --margin?"}));
   EXPECT_THAT(refused({"datasets", "prone"}),
-              Optional(std::string{"datasets has no command prone; did you mean prune?"}));
+              Optional(std::string{"datasets has no command \"prone\"; did you mean \"prune\"?"}));
   EXPECT_THAT(
       refused({"plan", "--nothing-like-it"}),
       Optional(std::string{"plan has no flag --nothing-like-it; floeplan plan --help-all lists them"}));
@@ -40,7 +40,7 @@ TEST(UnknownWord, IsNamedWithWhatWasMeant) {
 
 TEST(UnknownWord, IsNoCommandThatTheHelpHides) {
   EXPECT_THAT(refused({"read-file"}),
-              Optional(std::string{"there is no command read-file; floeplan --help lists them"}));
+              Optional(std::string{"there is no command \"read-file\"; floeplan --help lists them"}));
 }
 
 TEST(UnknownWord, IsNotThereWhereAValueIsWrong) {

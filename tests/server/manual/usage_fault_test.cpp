@@ -51,7 +51,7 @@ TEST(UsageFault, NamesWhatTheCommandNeedsOrDoesNotTake) {
 }
 
 TEST(UsageFault, AsksWhatWasMeantByAnUnknownWord) {
-  EXPECT_EQ(told({"paln"}), "there is no command paln; did you mean plan?");
+  EXPECT_EQ(told({"paln"}), "there is no command \"paln\"; did you mean \"plan\"?");
 }
 
 }  // namespace
