@@ -88,7 +88,7 @@ void print_document(const mission::Document& document, const std::string& file) 
   std::printf("%s: %s", file.c_str(), verdict_word(document.verdict()).c_str());
   if (document.kind == mission::DocumentKind::arguments && !document.behaviors.empty())
     std::printf(", %s", document.behaviors.front().name.c_str());
-  if (document.kind == mission::DocumentKind::mission)
+  if (document.kind == mission::DocumentKind::mission && !document.behaviors.empty())
     std::printf(", mission of %zu behaviors", document.behaviors.size());
   if (!document.bands.empty()) std::printf(", %zu depth bands", document.bands.size());
   if (!document.waypoints.empty()) std::printf(", %zu waypoints", document.waypoints.size());
