@@ -6,6 +6,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "storage/repository/fields/grid_window.hpp"
+
 namespace floeplan::repository {
 namespace {
 
@@ -44,6 +46,68 @@ ocean::HorizontalGrid grid_over(const geo::BoundingBox& area, core::Metres spaci
           ocean::Axis{std::move(latitudes)}};
 }
 
+/// Calls `visit` with the index and the place of each node. In a projection, places between every fifteenth node are
+/// interpolated where that misses the place in the middle by at most `most_missed`: a survey has 10^8 nodes, and
+/// the formulas of a projection take a microsecond.
+template <class Visit>
+void for_each_place(const ocean::HorizontalGrid& nodes, geo::LonLat most_missed, const Visit& visit) {
+  const ocean::Axis& x = nodes.x();
+  const ocean::Axis& y = nodes.y();
+  const auto exactly = [&](const NodeRun& columns, const NodeRun& rows) {
+    for (std::size_t iy = rows.first; iy < rows.first + rows.count; ++iy)
+      for (std::size_t ix = columns.first; ix < columns.first + columns.count; ++ix)
+        visit(iy * x.size() + ix, nodes.place(ix, iy));
+  };
+  if (std::holds_alternative<geo::GeographicFrame>(nodes.frame()))
+    return exactly({0, x.size()}, {0, y.size()});
+
+  constexpr std::size_t side = 16;
+  for (std::size_t south = 0; south < y.size(); south += side) {
+    for (std::size_t west = 0; west < x.size(); west += side) {
+      const NodeRun columns{west, std::min(side, x.size() - west)};
+      const NodeRun rows{south, std::min(side, y.size() - south)};
+      const std::size_t east = west + columns.count - 1;
+      const std::size_t north = south + rows.count - 1;
+      const geo::LonLat corner = nodes.place(west, south);
+      // from the first corner, so that longitudes do not jump
+      const auto beside = [&](std::size_t ix, std::size_t iy) {
+        const geo::LonLat place = nodes.place(ix, iy);
+        return geo::LonLat{geo::longitude_difference(corner.lon_deg, place.lon_deg),
+                           place.lat_deg - corner.lat_deg};
+      };
+      const geo::LonLat se = beside(east, south);
+      const geo::LonLat nw = beside(west, north);
+      const geo::LonLat ne = beside(east, north);
+      const auto between = [&](std::size_t ix, std::size_t iy) {
+        const double fx = ix == west ? 0.0 : (x[ix] - x[west]) / (x[east] - x[west]);
+        const double fy = iy == south ? 0.0 : (y[iy] - y[south]) / (y[north] - y[south]);
+        const auto bilinear = [&](double a, double b, double c) {
+          return fx * (1.0 - fy) * a + (1.0 - fx) * fy * b + fx * fy * c;
+        };
+        return geo::LonLat{bilinear(se.lon_deg, nw.lon_deg, ne.lon_deg),
+                           bilinear(se.lat_deg, nw.lat_deg, ne.lat_deg)};
+      };
+      const std::size_t middle_x = west + columns.count / 2;
+      const std::size_t middle_y = south + rows.count / 2;
+      const geo::LonLat found = beside(middle_x, middle_y);
+      const geo::LonLat guess = between(middle_x, middle_y);
+      const bool is_near = std::abs(found.lon_deg - guess.lon_deg) <= most_missed.lon_deg &&
+                           std::abs(found.lat_deg - guess.lat_deg) <= most_missed.lat_deg;
+      if (!is_near) {
+        exactly(columns, rows);
+        continue;
+      }
+      for (std::size_t iy = south; iy <= north; ++iy) {
+        for (std::size_t ix = west; ix <= east; ++ix) {
+          const geo::LonLat here = between(ix, iy);
+          visit(iy * x.size() + ix,
+                geo::LonLat{corner.lon_deg + here.lon_deg, corner.lat_deg + here.lat_deg});
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 
 BathymetryMosaic::BathymetryMosaic(const geo::BoundingBox& area, core::Metres spacing, std::size_t most_nodes)
@@ -74,19 +138,17 @@ bool BathymetryMosaic::add(const ocean::Bathymetry& layer) {
     float least_m{none};
   };
   std::vector<Cell> cells(grid_.size());
-  const ocean::HorizontalGrid& nodes = layer.grid();
-  for (std::size_t iy = 0; iy < nodes.y().size(); ++iy) {
-    for (std::size_t ix = 0; ix < nodes.x().size(); ++ix) {
-      const std::size_t node = iy * nodes.x().size() + ix;
-      const float depth_m = layer.depth_m()[node];
-      if (std::isnan(depth_m)) continue;
-      const auto cell = cell_of(nodes.place(ix, iy));
-      if (!cell || !std::isnan(depth_m_[*cell])) continue;
-      cells[*cell].sum_m += static_cast<double>(depth_m);
-      ++cells[*cell].count;
-      cells[*cell].least_m = std::min({cells[*cell].least_m, depth_m, layer.shoalest_m()[node]});
-    }
-  }
+  constexpr double hair = 0.01;  // of a cell
+  const geo::LonLat most_missed{hair * (grid_.x()[1] - grid_.x()[0]), hair * (grid_.y()[1] - grid_.y()[0])};
+  for_each_place(layer.grid(), most_missed, [&](std::size_t node, geo::LonLat place) {
+    const float depth_m = layer.depth_m()[node];
+    if (std::isnan(depth_m)) return;
+    const auto cell = cell_of(place);
+    if (!cell || !std::isnan(depth_m_[*cell])) return;
+    cells[*cell].sum_m += static_cast<double>(depth_m);
+    ++cells[*cell].count;
+    cells[*cell].least_m = std::min({cells[*cell].least_m, depth_m, layer.shoalest_m()[node]});
+  });
 
   bool used = false;
   for (std::size_t i = 0; i < cells.size(); ++i) {

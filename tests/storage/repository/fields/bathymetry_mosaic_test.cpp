@@ -67,6 +67,45 @@ TEST(BathymetryMosaic, JoinsTilesInDifferentProjections) {
   EXPECT_FALSE(depths.depth({-52.2, 68.8}).has_value());
 }
 
+/// Depths that grow with the latitude, so that a node in the cell of another one would show.
+TEST(BathymetryMosaic, TakesTheNodesOfAProjectedTileWhereTheyLie) {
+  struct Tile {
+    geo::GridFrame frame;
+    geo::LonLat middle;
+    geo::BoundingBox area;
+  };
+  for (const auto& [frame, middle, around] :
+       {Tile{geo::AzimuthalEqualAreaFrame{.lat_0_deg = 52.0, .lon_0_deg = 10.0}, {-53.0, 68.5}, area},
+        Tile{geo::PolarStereographicFrame{}, {0.0, 90.0}, {-180.0, 89.6, 180.0, 90.0}},
+        Tile{geo::LambertConformalFrame{.lon_0_deg = 180.0}, {180.0, 60.0}, {179.5, 59.5, -179.5, 60.5}}}) {
+    const geo::GridPoint at = geo::FrameProjection{frame}.to_grid(middle);
+    std::vector<double> x;
+    std::vector<double> y;
+    for (int i = -250; i <= 250; ++i) {
+      x.push_back(at.x + 100.0 * i);
+      y.push_back(at.y + 100.0 * i);
+    }
+    const ocean::HorizontalGrid nodes{frame, ocean::Axis{x}, ocean::Axis{y}};
+    const auto depth_at = [](double lat_deg) { return 5000.0 + 1000.0 * (lat_deg - 80.0) / 10.0; };
+    std::vector<float> depths_m;
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      depths_m.push_back(static_cast<float>(depth_at(nodes.place(i % x.size(), i / x.size()).lat_deg)));
+    BathymetryMosaic mosaic{around, core::Metres{1000.0}, 1'000'000};
+    mosaic.add({nodes, depths_m});
+
+    const ocean::Bathymetry result = mosaic.bathymetry();
+    std::size_t known = 0;
+    for (std::size_t i = 0; i < result.grid().size(); ++i) {
+      if (std::isnan(result.depth_m()[i])) continue;
+      ++known;
+      const auto place = result.grid().place(i % result.grid().x().size(), i / result.grid().x().size());
+      ASSERT_NEAR(static_cast<double>(result.depth_m()[i]), depth_at(place.lat_deg), 0.6)
+          << "half a cell, 0.9 m";
+    }
+    EXPECT_GT(known, 500U);
+  }
+}
+
 TEST(BathymetryMosaic, FollowsAPlaneSeaBedExactlyAtItsNodes) {
   const ocean::HorizontalGrid nodes = grid(-55.0, 67.0, 0.25, 20, 20);
   std::vector<float> depths_m;
