@@ -17,6 +17,7 @@
 #include "storage/ingest/formats/netcdf/netcdf_axis.hpp"
 #include "storage/ingest/grids/row_mesh.hpp"
 #include "storage/ingest/grids/true_north.hpp"
+#include "storage/ingest/notation/grid_frame_of_crs.hpp"
 #include "storage/ingest/notation/text.hpp"
 #include "storage/ingest/readers/currents/current_dataset.hpp"
 #include "storage/ingest/readers/currents/current_readers.hpp"
@@ -31,9 +32,10 @@ constexpr double fill_from = 9990.0;  // GDAL writes 9999 where a bitmap has no 
 /// Positions of the values of a raster.
 struct RasterPlace {
   std::vector<geo::LonLat> places;            // [row][column], rows in ascending order of the grid's y
-  std::optional<ocean::HorizontalGrid> grid;  // set if the grid is in longitude and latitude
-  GridDirections directions;                  // directions of x at every node of a projection
-  std::vector<std::size_t> columns;           // column numbers of the raster, in ascending order of x
+  std::optional<ocean::HorizontalGrid> grid;  // empty: in a projection that the store has no grid for
+  bool is_projected{false};
+  GridDirections directions;         // directions of x at every node of a projection
+  std::vector<std::size_t> columns;  // column numbers of the raster, in ascending order of x
   std::size_t rows{};
 };
 
@@ -83,6 +85,11 @@ Checked<RasterPlace> raster_place(const GribGrid& grid) {
   }
   const auto way = way_to_places(*grid.plane);
   if (!way) return refuse(messages::ingest_grib_message<"grib-projection-unusable">());
+  place.is_projected = true;
+  if (const auto frame = grid_frame_of(*grid.plane)) {
+    ocean::HorizontalGrid nodes{*frame, ocean::Axis{grid.x}, ocean::Axis{grid.y}};
+    if (lies_in_projection(nodes)) place.grid = std::move(nodes);
+  }
   const std::size_t width = grid.x.size();
   const double ahead = width > 1 ? 1e-3 * (grid.x[1] - grid.x[0]) : 1.0;
   for (std::size_t i = 0; i < width; ++i) place.columns.push_back(i);
@@ -214,7 +221,8 @@ Checked<PreparedDataset> read_velocities(const std::filesystem::path& file, Movi
   if (!contents->layers.empty())
     input.warnings.push_back(messages::ingest_grib_message<"grib-layers">(contents->layers));
   std::optional<GridDirections> directions;
-  if (contents->along_grid && !place->grid) {
+  const bool is_projected = place->is_projected;
+  if (contents->along_grid && is_projected) {
     directions = std::move(place->directions);
     input.warnings.push_back(messages::ingest_current_message<"turned-as-grib-says">(
         what == Moving::sea ? "the currents point" : "the wind points",
@@ -229,7 +237,10 @@ Checked<PreparedDataset> read_velocities(const std::filesystem::path& file, Movi
   input.source = std::make_shared<const GribSource>(std::move(raster), std::move(*contents),
                                                     std::move(*place), std::move(directions));
   auto data = prepare_currents(std::move(input), progress);
-  if (data) data->run = run;
+  if (!data) return data;
+  data->run = run;
+  // Older versions kept no projected grid of a GRIB file as such.
+  if (is_projected && data->keeping == Keeping::on_a_grid) data->keeping = Keeping::on_a_projected_grid;
   return data;
 }
 
