@@ -29,6 +29,9 @@ struct Ellipsoid {
 };
 
 inline constexpr Ellipsoid wgs84{};
+/// GRS 1980, the ellipsoid of NAD83 and ETRS89. Places on it lie up to 0.1 mm beside those on WGS84.
+/// Source  EPSG:7019
+inline constexpr Ellipsoid grs_1980{6378137.0, 298.257222101};
 /// Hughes 1980, the ellipsoid of satellite products of sea ice.
 /// Source  EPSG:7058; axes 6378273 m and 6356889.449 m
 inline constexpr Ellipsoid hughes_1980{6378273.0, 298.279411123064};

@@ -21,14 +21,14 @@ namespace floeplan::ingest {
 enum class Keeping { on_a_grid, at_own_points, at_points_of_components, on_a_projected_grid };
 
 /// Of values at the nodes of a grid. Older programs had grids in longitude and latitude, polar stereographic on two
-/// ellipsoids and transverse Mercator on one.
+/// ellipsoids and transverse Mercator on one, which they took for GRS 1980, too.
 [[nodiscard]] inline Keeping keeping_on(const geo::GridFrame& frame) {
   const auto* polar = std::get_if<geo::PolarStereographicFrame>(&frame);
   const auto* mercator = std::get_if<geo::TransverseMercatorFrame>(&frame);
-  const bool is_old =
-      std::holds_alternative<geo::GeographicFrame>(frame) ||
-      (polar != nullptr && polar->scale_ts == 1.0 && polar->ellipsoid.inverse_flattening != 0.0) ||
-      (mercator != nullptr && mercator->ellipsoid == geo::wgs84);
+  const bool is_old = std::holds_alternative<geo::GeographicFrame>(frame) ||
+                      (polar != nullptr && polar->scale_ts == 1.0 &&
+                       (polar->ellipsoid == geo::wgs84 || polar->ellipsoid == geo::hughes_1980)) ||
+                      (mercator != nullptr && mercator->ellipsoid == geo::wgs84);
   return is_old ? Keeping::on_a_grid : Keeping::on_a_projected_grid;
 }
 

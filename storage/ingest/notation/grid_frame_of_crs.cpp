@@ -152,7 +152,7 @@ bool agrees_with_proj(const geo::GridFrame& frame, const OGRSpatialReference& cr
 
 std::optional<geo::GridFrame> grid_frame_of(const OGRSpatialReference& crs) {
   const auto earth = earth_of(crs);
-  if (!earth) return std::nullopt;
+  if (!earth || crs.IsDerivedGeographic() != 0) return std::nullopt;  // round a turned pole
   if (crs.IsGeographic() != 0) {
     const bool in_degrees = is_near(crs.GetAngularUnits(), 0.017453292519943295, 1e-12);
     const bool on_sphere = earth->inverse_flattening == 0.0;
@@ -185,15 +185,17 @@ bool lies_in_projection(const ocean::HorizontalGrid& grid) {
     last_deg = east_deg;
     return !crosses;
   };
-  for (std::size_t ix = 0; ix < columns; ++ix)
-    if (!is_placed(ix, 0)) return false;
-  for (std::size_t iy = 0; iy < rows; ++iy)
-    if (!is_placed(columns - 1, iy)) return false;
-  for (std::size_t ix = columns; ix-- > 0;)
-    if (!is_placed(ix, rows - 1)) return false;
-  for (std::size_t iy = rows; iy-- > 0;)
-    if (!is_placed(0, iy)) return false;
-  return true;
+  constexpr std::size_t most_on_a_side = 1024;  // what lies between would show as a jump, too
+  const auto along = [most_on_a_side](std::size_t count, const auto& holds) {
+    const std::size_t parts = std::min(count - 1, most_on_a_side);
+    for (std::size_t i = 0; i <= parts; ++i)
+      if (!holds(parts == 0 ? 0 : i * (count - 1) / parts)) return false;
+    return true;
+  };
+  return along(columns, [&](std::size_t ix) { return is_placed(ix, 0); }) &&
+         along(rows, [&](std::size_t iy) { return is_placed(columns - 1, iy); }) &&
+         along(columns, [&](std::size_t ix) { return is_placed(columns - 1 - ix, rows - 1); }) &&
+         along(rows, [&](std::size_t iy) { return is_placed(0, rows - 1 - iy); });
 }
 
 }  // namespace floeplan::ingest

@@ -41,10 +41,16 @@ std::optional<geo::Ellipsoid> earth_of(const OGRSpatialReference& crs) {
   const double semi_major_m = crs.GetSemiMajor(&error);
   const double inverse_flattening = crs.GetInvFlattening();
   if (error == OGRERR_NONE && std::abs(crs.GetPrimeMeridian()) <= 1e-9) {
-    for (const geo::Ellipsoid known : {geo::wgs84, geo::hughes_1980})
-      if (std::abs(semi_major_m - known.semi_major_m) <= 0.5 &&
-          std::abs(inverse_flattening - known.inverse_flattening) <= 1e-3)
-        return known;
+    const auto differs = [&](const geo::Ellipsoid& known) {
+      return std::abs(semi_major_m - known.semi_major_m) <= 0.5
+                 ? std::abs(inverse_flattening - known.inverse_flattening)
+                 : std::numeric_limits<double>::infinity();
+    };
+    // Files round the shorter axis, that of Hughes 1980 to a millimetre.
+    if (differs(geo::hughes_1980) <= 1e-3) return geo::hughes_1980;
+    const geo::Ellipsoid nearest = differs(geo::wgs84) <= differs(geo::grs_1980) ? geo::wgs84 : geo::grs_1980;
+    if (differs(nearest) <= 1e-6) return nearest;
+    if (differs(nearest) <= 1e-3) return geo::Ellipsoid{semi_major_m, inverse_flattening};
   }
   // Models use radii between the semi-axes of WGS84, or the longer semi-axis of Hughes 1980.
   if (inverse_flattening == 0.0 && semi_major_m >= 6'356'752.0 && semi_major_m <= 6'378'273.0)

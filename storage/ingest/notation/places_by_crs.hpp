@@ -15,7 +15,7 @@ class OGRSpatialReference;
 namespace floeplan::ingest {
 
 /// The figure of the Earth of a CRS whose longitudes and latitudes can be used as those of WGS84: they differ by metres
-/// only (GRS80 counts as WGS84), or they are on a sphere, and models that compute on a sphere mean the Earth's
+/// only (on GRS 1980 and ellipsoids that differ as little), or they are on a sphere, and models that compute on a sphere mean the Earth's
 /// latitudes.
 /// Outside  nullopt for every other datum
 [[nodiscard]] std::optional<geo::Ellipsoid> earth_of(const OGRSpatialReference& crs);

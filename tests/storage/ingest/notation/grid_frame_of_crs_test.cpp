@@ -58,7 +58,9 @@ TEST(GridFrameOfCrs, KnowsTheProjectionsOfHydrography) {
 TEST(GridFrameOfCrs, LeavesOtherDatumsMethodsAndUnitsToProj) {
   for (const char* crs : {"EPSG:27700", "EPSG:23031", "EPSG:28992", "EPSG:26931", "EPSG:2048", "EPSG:2225",
                           "+proj=aeqd +lat_0=70 +lon_0=-50 +datum=WGS84", "+proj=utm +zone=22 +ellps=intl",
-                          "+proj=tmerc +lon_0=3 +pm=paris +datum=WGS84", "+proj=longlat +R=6371000"})
+                          "+proj=tmerc +lon_0=3 +pm=paris +datum=WGS84",
+                          "+proj=ob_tran +o_proj=longlat +o_lon_p=0 +o_lat_p=25 +lon_0=-40 +datum=WGS84",
+                          "+proj=longlat +R=6371000"})
     EXPECT_FALSE(frame_of(crs).has_value()) << crs;
 }
 
@@ -81,7 +83,7 @@ TEST(GridFrameOfCrs, AGridLiesInItsProjectionIfEveryNodeHasAPlaceOfItsOwn) {
 TEST(GridFrameOfCrs, OnlyGridsThatOlderVersionsHadKeepTheirIds) {
   for (const char* crs : {"EPSG:4326", "EPSG:32622", "EPSG:3413", "EPSG:3411"})
     EXPECT_EQ(keeping_on(frame_of(crs).value()), Keeping::on_a_grid) << crs;
-  for (const char* crs : {"EPSG:32661", "EPSG:3035", "EPSG:3338", "EPSG:3395",
+  for (const char* crs : {"EPSG:32661", "EPSG:26917", "EPSG:3035", "EPSG:3338", "EPSG:3395",
                           "+proj=stere +lat_0=90 +lat_ts=60 +lon_0=-45 +R=6378273",
                           "+proj=tmerc +lon_0=9 +k=0.9996 +R=6371000"})
     EXPECT_EQ(keeping_on(frame_of(crs).value()), Keeping::on_a_projected_grid) << crs;

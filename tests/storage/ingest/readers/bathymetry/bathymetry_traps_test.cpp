@@ -166,6 +166,16 @@ TEST_F(BathymetryTraps, AGridInAnyOfTheUsualProjectionsKeepsItsNodes) {
   }
 }
 
+/// UTM on GRS 1980 (ETRS89, NAD83) lies up to 0.1 mm beside UTM on WGS84, 50 millionths of a pixel here. At the edge of a
+/// survey, a place beside the last node has no depth.
+TEST_F(BathymetryTraps, ASurveyOnGrs1980HasItsNodesWhereItSays) {
+  const std::array<double, 6> transform{650000.0, 2.0, 0.0, 7600000.0, 0.0, -2.0};
+  const auto sea = stored(write_tiff("EPSG:25832", transform));
+
+  EXPECT_EQ(std::get<geo::TransverseMercatorFrame>(sea.grid().frame()).ellipsoid, geo::grs_1980);
+  expect_own_depths("EPSG:25832", transform);
+}
+
 /// EPSG gave up EASE-Grid 1, which lies on a sphere, for EASE-Grid 2 on WGS84.
 TEST_F(BathymetryTraps, AGivenUpReferenceSystemIsNotTakenForItsSuccessor) {
   const auto sea = stored(write_tiff("EPSG:3409", {2.2e5, 1000.0, 0.0, -1.3e6, 0.0, -1000.0}));
