@@ -7,9 +7,9 @@
 
 namespace floeplan::planning::energy {
 
-/// The dives along a straight line of the plane over the sea bed. The less room there is for them, the more often they turn.
-/// Accuracy  of the bed, 1/200 of the dives' thickness. The bed is a parabola within each cell of the data that the line
-///           crosses, or between two samples where these are closer together
+/// The dives along a straight line of the plane over the sea bed. Where the water is shallower, they turn more often.
+/// Accuracy  the depth of the bed is exact to 1/200 of the height of the dives. It is taken as a parabola within each cell
+///           of the data that the line crosses, or between two samples where these are closer together
 /// Threads   const members may be called from several threads at once
 class DiveLine {
  public:
@@ -19,9 +19,9 @@ class DiveLine {
 
   /// Whether all dives along the line are equal.
   [[nodiscard]] bool is_even() const { return stretches_.size() == 1; }
-  /// The band of depths in which a vehicle turns as often as on the average between two shares of the line. It then uses the
-  /// same energy: of bands with the same top, the pump energy per metre of depth differs only by a part that is inverse to
-  /// their thickness. No dive turns above `upper_turn`.
+  /// One band of depths that stands for all dives between two shares of the line: a vehicle that dives in this band turns
+  /// as often, so it uses the same energy. (The pump energy per metre of depth has a constant part and a part for each
+  /// turn.) No dive turns above `upper_turn`.
   /// `from` and `until` in [0, 1], not descending.
   [[nodiscard]] vehicle::DiveBand mean_band(double from, double until, core::Metres upper_turn) const;
 

@@ -24,8 +24,7 @@ struct Chart {
 enum class Moves : std::uint8_t { looked_for, left_out };
 
 /// If the departure is open (a window or a wanted arrival), a start that is closed for a while is not an
-/// error here;
-/// `closed_start` checks it for each departure.
+/// error here: `closed_start` checks it for each departure.
 /// Errors   Reason::too_large for a grid beyond the memory limit (a direct route needs no grid); why a stop
 ///          cannot be used; Reason::cancelled once `stop` is requested
 /// `environment` and `request` are borrowed and must outlive the search area; `shelf`: see `Sea`.

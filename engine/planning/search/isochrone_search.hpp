@@ -24,8 +24,7 @@ struct Presence {
 };
 
 /// Follows the straight leg from `from` to `to` for a vehicle that is at `from` as in `at`. The leg may end
-/// after
-/// `latest` only if the time without surfacing is limited.
+/// after `latest` only if the time without surfacing is limited.
 /// Errors  as Sea::leg and Sea::leg_back
 [[nodiscard]] tl::expected<Presence, motion::EdgeClosed> go_on(const cost::Sea& sea,
                                                                IsochroneRequest::Direction direction,

@@ -22,10 +22,9 @@ namespace floeplan::planning::search {
 /// Threads   const members may be called from several threads at once
 class CostOutlook {
  public:
-  /// For routes between `depart` and `last`. `foresight`, which must be useful, and `closures` belong to the
-  /// same grid.
-  /// `use` gives the latest useful times of the vertices. All three are used only during construction. Once
-  /// `stop` is requested the outlook must not be used.
+  /// For routes between `depart` and `last`. `foresight`, which must be useful, belongs to the same grid; `use`
+  /// gives the latest useful times of its vertices. Both are used only during construction. Once `stop` is
+  /// requested the outlook must not be used.
   CostOutlook(const cost::Sea& sea, const OpenGrid& open, const Objective& objective, Foresight& foresight,
               const ArrivalLadder& use, core::Seconds depart, core::Seconds last,
               const std::stop_token& stop);
