@@ -162,8 +162,20 @@ class GridTrial {
     return way;
   }
 
+  /// Whether closures that never end stand between start and goal, on every route of the grid.
+  bool is_walled_off() {
+    if (walled_off_) return *walled_off_;
+    const search::StraightBound straight{sea_, open_.grid, open_.graph, open_.grid.goal};
+    const search::StandingTravelTime least{sea_, open_.grid, straight};
+    const graph::Query query{open_.grid.start, open_.grid.goal, core::Seconds{0.0}, whenever};
+    const auto tree = graph::find_earliest_arrivals(open_.graph, query, rationed(least), stop_, straight);
+    walled_off_ = !tree.is_reached(open_.grid.goal);
+    return *walled_off_;
+  }
+
   template <class Bound, class TravelTime>
   graph::SearchTree arrivals_by(core::Seconds depart, core::Seconds latest, const TravelTime& travel_time) {
+    if (is_walled_off()) return graph::SearchTree{open_.graph.size()};
     const search::StraightBound straight{sea_, open_.grid, open_.graph, open_.grid.goal};
     const graph::Query query{open_.grid.start, open_.grid.goal, depart, latest};
     // Nothing is open beyond the end of the data, so places from which the goal cannot be reached by then are
@@ -193,6 +205,7 @@ class GridTrial {
     }
     Way earliest = way_by<TowardsEarliestWay>(depart, whenever, held_anywhere);
     if (is_possible(earliest)) return std::move(earliest.path);
+    if (is_walled_off()) return {};
     search::HeldWay held = search::search_held_way(
         sea_, open_, foresight_, depart, whenever, stop_, {},
         {.most_entries = search::limits_of_a_hold_search.most_entries,
@@ -210,6 +223,7 @@ class GridTrial {
   std::int64_t& left_;
   const std::stop_token& stop_;
   search::Foresight foresight_;
+  std::optional<bool> walled_off_;
 };
 
 /// The route from stop to stop; empty if there is none, or no work is left to find one.

@@ -202,6 +202,11 @@ RouteSearch search_unbounded(const cost::Sea& sea, const OpenGrid& open, const P
       }
       refused.edges.clear();
     }
+    // Walls that always stand are found without timing any leg. The searches below would first go everywhere
+    // on this side of them.
+    graph::SearchTree past_walls = graph::find_earliest_arrivals(
+        graph, query, StandingTravelTime{sea, grid, straight}, stop, straight, report);
+    if (past_walls.stopped || !past_walls.is_reached(grid.goal)) return past_walls;
     if (towards_goal) {
       return graph::find_earliest_arrivals(graph, query, travel_time, stop, straight, report);
     }

@@ -103,6 +103,21 @@ struct StraightBound {
   [[nodiscard]] static core::Seconds latest_use(graph::Vertex) { return core::Seconds{INFINITY}; }
 };
 
+/// Least times of edges for a vehicle that meets only the closures which never end: land, shallow water, unknown
+/// depths and areas whose rule is always in force.
+struct StandingTravelTime {
+  const cost::Sea& sea;
+  const cost::RouteGrid& grid;
+  const StraightBound& straight;
+
+  tl::expected<core::Seconds, motion::EdgeClosed> operator()(const graph::Edge& edge, core::Seconds,
+                                                             core::Seconds) const {
+    const auto closed = sea.domain().safety().closed_between(grid.point(edge.tail), grid.point(edge.head));
+    if (closed) return tl::unexpected(*closed);
+    return straight.least_time(edge);
+  }
+};
+
 /// The edge bounds of `StraightBound` with zero for the rest of the route: the search becomes Dijkstra's.
 struct EdgeBound {
   const StraightBound& straight;
