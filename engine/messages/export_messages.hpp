@@ -327,9 +327,13 @@ inline constexpr auto export_kinds = std::to_array<Kind>({
     // Seagliders.
     {.code = "seaglider-limits-on-board",
      .rank = Rank::caution,
-     .text = "The cmdfile sets only $D_TGT and $T_DIVE",
-     .hint = "Make sure that $T_MISSION and $D_ABORT on board are larger, and that the ballast and $MAX_BUOY "
-             "give the planned vertical speed."},
+     .text = "The plan was made for the vehicle {vehicle}, and the cmdfile sets only $D_TGT and $T_DIVE",
+     .hint =
+         "Make sure that your Seaglider is as fast as the plan assumes and that its battery lasts. "
+         "$T_MISSION "
+         "and $D_ABORT on board must be larger, and the ballast and $MAX_BUOY must give the planned vertical "
+         "speed.",
+     .slots = {{{"vehicle", "slocum-g3-1000"}}}},
     {.code = "seaglider-over-shoal",
      .rank = Rank::caution,
      .text = "$D_TGT is {dive_m:.0f} m, but the sea is only {bed_m:.0f} m deep at {place}, before waypoint "

@@ -123,7 +123,7 @@ tl::expected<MissionFiles, core::Violations> write_seaglider_set(const planning:
   if (!options.bands.empty()) set.files.push_back({"science", science_text(options, header)});
   set.files.push_back({"cmdfile", header + "$D_TGT," + whole(dive_depth_m(options.vehicle)) + "\n$T_DIVE," +
                                       whole(dive_minutes(options.vehicle)) + "\n$GO\n"});
-  set.messages.push_back(messages::export_message<"seaglider-limits-on-board">());
+  set.messages.push_back(messages::export_message<"seaglider-limits-on-board">(plan.vehicle));
   if (auto shoal = shoal_warning(plan, options)) set.messages.push_back(std::move(*shoal));
   if (options.bands.empty()) set.messages.push_back(messages::export_message<"no-science-file">());
   std::ranges::move(messages_without_holds(plan, "seaglider"), std::back_inserter(set.messages));

@@ -54,6 +54,15 @@ TEST(SeagliderSet, IsNotWrittenForAPlanBelowIceOrIcebergs) {
   EXPECT_THAT(set.error(), Contains(Field(&core::Violation::field, "/format")));
 }
 
+TEST(SeagliderSet, NamesTheVehicleThatThePlanWasMadeFor) {
+  planning::Plan plan = plan_of({{-53.0, 69.0}, {-52.75, 69.0}});
+  plan.vehicle = "slocum-g3-200";
+
+  const auto set = write_seaglider_set(plan, {});
+
+  EXPECT_THAT(messages::sentences(set->messages), Contains(HasSubstr("for the vehicle slocum-g3-200")));
+}
+
 TEST(SeagliderSet, NamesTheShoalestWaterOnTheWay) {
   const planning::Plan plan = plan_of({{-53.0, 69.0}, {-52.75, 69.0}, {-52.5, 69.0}});
   SeagliderOptions options;  // dives to 200 m, margin 10 m
