@@ -63,10 +63,12 @@ TEST(FishCompletion, OffersCommandsAndThenTheirFlags) {
   if (!is_there("fish")) GTEST_SKIP() << "fish is not installed";
   const support::TemporaryFolder folder;
   std::ofstream{folder.path() / "script"} << completion("fish", commands());
+  const std::filesystem::path empty = folder.path() / "empty";  // fish also offers the files of its folder
+  std::filesystem::create_directory(empty);
   const auto offered_by_fish = [&](const std::string& words) {
-    const std::string command = "HOME=" + folder.path().string() + " fish --no-config -c 'source " +
-                                (folder.path() / "script").string() + "; complete -C \"" + words + "\"' > " +
-                                (folder.path() / "out").string();
+    const std::string command = "cd " + empty.string() + " && HOME=" + folder.path().string() +
+                                " fish --no-config -c 'source " + (folder.path() / "script").string() +
+                                "; complete -C \"" + words + "\"' > " + (folder.path() / "out").string();
     EXPECT_EQ(std::system(command.c_str()), 0) << words;
     std::ifstream out{folder.path() / "out"};
     return std::string{std::istreambuf_iterator<char>{out}, {}};
