@@ -38,9 +38,13 @@ def grid(number):
     return ("\n".join(rows) + "\n").encode()
 
 
+# Files are ingested meanwhile, and a plan must be the same whichever of them it finds stored.
+WITHOUT_DATA = {kind: "none" for kind in ("bathymetry", "coastline", "currents", "ice", "icebergs", "wind", "zones")}
+
+
 def plan_inputs(generator):
     return {"from": [-53, 69], "to": [-53 + round(generator.uniform(0.3, 0.8), 4), 69.1],
-            "depart": "2026-11-22T06:00:00Z", "spacing_m": generator.choice([300, 500]), "refine": False}
+            "depart": "2026-11-22T06:00:00Z", "spacing_m": generator.choice([300, 500]), "refine": False, **WITHOUT_DATA}
 
 
 def lasting(result):
