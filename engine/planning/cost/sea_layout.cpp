@@ -33,6 +33,16 @@ core::Seconds forecast_horizon(const ocean::Environment& environment, const Plan
   return (last - request.depart) + std::min(under_way, longest_drift);
 }
 
+/// Whether the stored ice is anywhere, at any time, too dense to surface in.
+bool has_dense_ice(const ocean::Environment& environment, const UnderIceRules& rules) {
+  const auto is_dense = [&](const std::shared_ptr<const ocean::IceField>& ice) {
+    return ice && std::ranges::any_of(ice->samples().concentration, [&](float concentration) {
+             return static_cast<double>(concentration) > rules.max_concentration_to_surface;
+           });
+  };
+  return is_dense(environment.ice) || std::ranges::any_of(environment.further_ice, is_dense);
+}
+
 std::optional<obstacles::PassUnder> lay_out_under(const PlanRequest& request,
                                                   std::shared_ptr<const obstacles::BedCells> bed) {
   if (!request.icebergs.pass_under) return std::nullopt;
@@ -98,7 +108,7 @@ std::shared_ptr<const obstacles::BedCells> lay_out_bed_below(const ocean::Enviro
                                                              const geo::LocalProjection& projection,
                                                              const plane::PlaneBox& area, core::Metres cell,
                                                              const std::stop_token& stop) {
-  const bool passes_below = request.icebergs.pass_under || environment.ice;
+  const bool passes_below = request.icebergs.pass_under || has_dense_ice(environment, request.under_ice);
   if (!passes_below || !environment.bathymetry) return nullptr;
   return obstacles::lay_out_bed(environment.bathymetry, request.vehicle, projection, area, cell, stop);
 }
