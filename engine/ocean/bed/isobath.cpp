@@ -112,7 +112,7 @@ class Tracer {
     const auto& x = grid_.x();
     const auto& y = grid_.y();
     return grid_.projection().to_lon_lat({std::lerp(x[a % columns_], x[b % columns_], share),
-                                           std::lerp(y[a / columns_], y[b / columns_], share)});
+                                          std::lerp(y[a / columns_], y[b / columns_], share)});
   }
 
   const HorizontalGrid& grid_;

@@ -30,8 +30,7 @@ UnderIce::UnderIce(const ocean::Environment& environment, const PlanRequest& req
 
 std::optional<obstacles::MarkedCells> UnderIce::tight_cells() const {
   const core::Metres deepest_turn = cover_.deepest_draft() + rules_.margin_below_ice;
-  if (!bed_ || deepest_turn.value + dive_room_m_ > dive_depth_m_)
-    return std::nullopt;
+  if (!bed_ || deepest_turn.value + dive_room_m_ > dive_depth_m_) return std::nullopt;
   const core::Metres needed = deepest_turn + core::Metres{needed_below_m_};
   const plane::PlaneRaster& raster = bed_->raster();
   const double to_corner_m = std::numbers::sqrt2 * 0.5 * raster.cell_m();

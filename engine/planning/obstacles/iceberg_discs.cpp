@@ -87,6 +87,7 @@ void IcebergDiscs::index(const plane::PlaneBox& area, core::Seconds horizon) {
   const double side_m = std::max(area.width_m(), area.height_m());
   const double listings =
       std::clamp(most_listings_in_all / static_cast<double>(entries.size()), fewest_listings, most_listings);
+  // A box as wide as the largest disc overlaps at most (width / cell + 1)^2 cells.
   const double cell_m = std::clamp(2.0 * largest_m / (std::sqrt(listings) - 1.0), side_m / most_index_cells,
                                    side_m / least_index_cells);
   index_ =

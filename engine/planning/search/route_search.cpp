@@ -83,8 +83,9 @@ std::vector<Edge> edges_to(const graph::GridGraph& graph, const graph::SearchTre
   return way;
 }
 
-void describe_end(RouteSearch& result, const cost::Sea& sea, const cost::RouteGrid& grid,
-                  const graph::GridGraph& graph, const graph::SearchTree& tree) {
+/// The reached vertex nearest to the goal.
+Vertex nearest_reached(const cost::RouteGrid& grid, const graph::GridGraph& graph,
+                       const graph::SearchTree& tree) {
   const geo::PlanePoint goal = grid.point(grid.goal);
   Vertex nearest = grid.start;
   double least = std::numeric_limits<double>::infinity();
@@ -97,6 +98,12 @@ void describe_end(RouteSearch& result, const cost::Sea& sea, const cost::RouteGr
       nearest = v;
     }
   }
+  return nearest;
+}
+
+void describe_end(RouteSearch& result, const cost::Sea& sea, const cost::RouteGrid& grid,
+                  const graph::GridGraph& graph, const graph::SearchTree& tree) {
+  const Vertex nearest = nearest_reached(grid, graph, tree);
   result.nearest = grid.point(nearest);
   result.nearest_arrival = core::Seconds{tree.is_reached(nearest) ? tree.arrival_s(nearest) : 0.0};
   for (const graph::Offset offset : graph.offsets()) {
@@ -202,11 +209,18 @@ RouteSearch search_unbounded(const cost::Sea& sea, const OpenGrid& open, const P
       }
       refused.edges.clear();
     }
-    // Walls that always stand are found without timing any leg. The searches below would first go everywhere
-    // on this side of them.
-    graph::SearchTree past_walls = graph::find_earliest_arrivals(
+    // Walls that always stand are found without timing any leg. A search for the goal would first go everywhere
+    // on this side of them; one for the place nearest to the goal says when the vehicle is there.
+    const graph::SearchTree past_walls = graph::find_earliest_arrivals(
         graph, query, StandingTravelTime{sea, grid, straight}, stop, straight, report);
-    if (past_walls.stopped || !past_walls.is_reached(grid.goal)) return past_walls;
+    if (!past_walls.stopped && !past_walls.is_reached(grid.goal)) {
+      graph::Query to_wall = query;
+      to_wall.goal = nearest_reached(grid, graph, past_walls);
+      graph::SearchTree tree = graph::find_earliest_arrivals(
+          graph, to_wall, travel_time, stop, StraightBound{sea, grid, graph, *to_wall.goal}, report);
+      refused.edges.clear();  // no hold opens a wall
+      return tree;
+    }
     if (towards_goal) {
       return graph::find_earliest_arrivals(graph, query, travel_time, stop, straight, report);
     }

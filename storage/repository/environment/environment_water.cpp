@@ -29,9 +29,9 @@ std::shared_ptr<const ocean::CurrentGrid> as_they_count(const ocean::Environment
 /// is needed. Otherwise they are read: at most as many samples as the area's currents or 32 million, two
 /// floats each (256 MB), divided among the members of an ensemble.
 template <class Read>
-std::shared_ptr<const ocean::CurrentGrid> read_drift(
-    const EnvironmentDraft& draft, const Dataset& dataset,
-    const std::shared_ptr<const ocean::CurrentGrid>& of_area, std::size_t members, const Read& read) {
+std::shared_ptr<const ocean::CurrentGrid> read_drift(const EnvironmentDraft& draft, const Dataset& dataset,
+                                                     const std::shared_ptr<const ocean::CurrentGrid>& of_area,
+                                                     std::size_t members, const Read& read) {
   constexpr std::size_t most_samples = 32'000'000;
   const auto& samples = of_area->samples();
   const std::size_t most = std::max(most_samples / members, samples.u.size());
@@ -174,8 +174,8 @@ void refuse_other_waters(EnvironmentDraft& draft) {
   std::vector<std::string> elsewhere;
   for (const Dataset& dataset : draft.stored) {
     if (dataset.kind != DatasetKind::currents) continue;
-    const auto where = geo::intersects(dataset.bounds, draft.query.area) ? where_its_water_is(draft, dataset)
-                                                                      : std::nullopt;
+    const auto where =
+        geo::intersects(dataset.bounds, draft.query.area) ? where_its_water_is(draft, dataset) : std::nullopt;
     elsewhere.push_back(title(dataset) + (where ? " has its nearest water " + *where
                                                 : " covers " + geo::bounds_text(dataset.bounds)));
   }

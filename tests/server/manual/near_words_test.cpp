@@ -26,7 +26,8 @@ std::optional<std::string> refused(std::vector<std::string> words) {
 }
 
 TEST(UnknownWord, IsNamedWithWhatWasMeant) {
-  EXPECT_THAT(refused({"paln"}), Optional(std::string{"there is no command \"paln\"; did you mean \"plan\"?"}));
+  EXPECT_THAT(refused({"paln"}),
+              Optional(std::string{"there is no command \"paln\"; did you mean \"plan\"?"}));
   EXPECT_THAT(refused({"plan", "--dpart", "2026"}),
               Optional(std::string{"plan has no flag --dpart; did you mean --depart?"}));
   EXPECT_THAT(refused({"plan", "--margn=5"}),

@@ -321,13 +321,9 @@ Checked<S100Coverage> s100_coverage(const std::filesystem::path& path, const std
   if (!values) return refuse(values.error());
   auto records = records_in(*area);
   if (!records) return refuse(records.error());
-  return S100Coverage{std::move(*file),
-                      *area,
-                      std::move(grid),
-                      x_values->size(),
-                      std::move(x->source),
-                      std::move(*values),
-                      std::move(*records)};
+  return S100Coverage{
+      std::move(*file),   *area, std::move(grid), x_values->size(), std::move(x->source), std::move(*values),
+      std::move(*records)};
 }
 
 }  // namespace floeplan::ingest

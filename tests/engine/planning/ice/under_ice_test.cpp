@@ -31,9 +31,9 @@ std::shared_ptr<const ocean::IceField> ice_in_the_east(double thickness_m = 1.0)
 
 UnderIce under_ice(const ocean::Environment& environment, const PlanRequest& request) {
   constexpr core::Metres cell{500.0};
-  auto bed = environment.bathymetry ? obstacles::lay_out_bed(environment.bathymetry, request.vehicle, projection,
-                                                             area, cell, {})
-                                    : nullptr;
+  auto bed = environment.bathymetry
+                 ? obstacles::lay_out_bed(environment.bathymetry, request.vehicle, projection, area, cell, {})
+                 : nullptr;
   return {environment, request, projection, area, cell, std::move(bed)};
 }
 

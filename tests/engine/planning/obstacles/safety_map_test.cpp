@@ -124,10 +124,11 @@ TEST(SafetyMap, IsTheSameWithASeaBedOnItsRaster) {
   support::for_each_seed(20, [](std::mt19937_64& rng) {
     const double slope_m = support::uniform(rng, 50.0, 4000.0);
     const double unknown_deg = support::uniform(rng, -54.0, -52.0);
-    const ocean::Environment environment{.bathymetry = support::bathymetry_from([&](geo::LonLat place) {
-      const double hills_m = slope_m * std::sin(40.0 * place.lon_deg) * std::sin(90.0 * place.lat_deg);
-      return std::abs(place.lon_deg - unknown_deg) < 0.05 ? std::nan("") : least_depth.value + hills_m;
-    })};
+    const ocean::Environment environment{
+        .bathymetry = support::bathymetry_from([&](geo::LonLat place) {
+          const double hills_m = slope_m * std::sin(40.0 * place.lon_deg) * std::sin(90.0 * place.lat_deg);
+          return std::abs(place.lon_deg - unknown_deg) < 0.05 ? std::nan("") : least_depth.value + hills_m;
+        })};
     vehicle::GliderProfile vehicle = support::eastward_request().vehicle;
     vehicle.minimum_working_depth = least_depth;
     vehicle.dive_depth = core::Metres{support::uniform(rng, 0.2, 20.0) * least_depth.value};
@@ -138,7 +139,8 @@ TEST(SafetyMap, IsTheSameWithASeaBedOnItsRaster) {
 
     for (int i = 0; i < 2000; ++i) {
       const geo::PlanePoint a{support::uniform(rng, -39e3, 39e3), support::uniform(rng, -39e3, 39e3)};
-      const geo::PlanePoint b{a.x_m + support::uniform(rng, -2e3, 2e3), a.y_m + support::uniform(rng, -2e3, 2e3)};
+      const geo::PlanePoint b{a.x_m + support::uniform(rng, -2e3, 2e3),
+                              a.y_m + support::uniform(rng, -2e3, 2e3)};
       ASSERT_EQ(map.closed_between(a, a), alone.closed_between(a, a));
       ASSERT_EQ(map.closed_between(a, b), alone.closed_between(a, b));
     }

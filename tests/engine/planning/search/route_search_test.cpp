@@ -72,6 +72,9 @@ TEST(SearchRoute, FindsAWallThatAlwaysStandsWithoutTimingTheLegsBeforeIt) {
     }
     ++closed;
     EXPECT_GT(std::ranges::count(found.closed_at_nearest, motion::EdgeClosed::in_zone), 0);
+    graph::Vertex nearest = 0;
+    while (geo::distance_m(open.grid.point(nearest), found.nearest) > 0.0) ++nearest;
+    EXPECT_NEAR(found.nearest_arrival.count(), exact.arrival_s(nearest), 120.0);
     EXPECT_LT(found.statistics.edge_evaluations, exact.counters.edge_evaluations / 2);
   });
   EXPECT_GE(closed, 3);
