@@ -209,10 +209,11 @@ RouteSearch search_unbounded(const cost::Sea& sea, const OpenGrid& open, const P
       }
       refused.edges.clear();
     }
-    // Walls that always stand are found without timing any leg. A search for the goal would first go everywhere
-    // on this side of them; one for the place nearest to the goal says when the vehicle is there.
-    const graph::SearchTree past_walls = graph::find_earliest_arrivals(
-        graph, query, StandingTravelTime{sea, grid, straight}, stop, straight, report);
+    // Walls that always stand are found without timing any leg; this is quick and reports no progress. A search
+    // for the goal would first go everywhere on this side of them; one for the place nearest to the goal says
+    // when the vehicle is there.
+    const graph::SearchTree past_walls =
+        graph::find_earliest_arrivals(graph, query, StandingTravelTime{sea, grid, straight}, stop, straight);
     if (!past_walls.stopped && !past_walls.is_reached(grid.goal)) {
       graph::Query to_wall = query;
       to_wall.goal = nearest_reached(grid, graph, past_walls);
