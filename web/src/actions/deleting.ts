@@ -28,8 +28,6 @@ export const withoutDeleted = (all: Plan[]): Plan[] => all.filter(({ plan_id }) 
 /** The stored simulations without those that were deleted in this page. */
 export const withoutDeletedSimulations = (all: SimulationSummary[]): SimulationSummary[] => all.filter(({ simulation_id }) => !leaving.has(simulation_id));
 
-const changesOf = (id: string): string => `deletion of ${id}`;
-
 /** Takes something off the page at once, and from the store when undo is no longer possible. */
 function deleteLater(deletion: Deletion): void {
   const { id, title, titleInside } = deletion;
@@ -43,7 +41,7 @@ function deleteLater(deletion: Deletion): void {
     deletion.back();
   };
   take();
-  remember({ title: `deleting ${titleInside}`, of: changesOf(id), back, again: take });
+  remember({ title: `deleting ${titleInside}`, of: id, back, again: take });
   tell(`${title} was deleted. For a minute, undo (Ctrl+Z) brings it back.`);
 }
 
@@ -86,7 +84,7 @@ export function deleteSimulation(simulation: SimulationSummary): void {
 const isGone = (error: unknown): boolean => error instanceof api.ApiError && error.problem.status === 404;
 
 async function carryOut({ id, title, back, remove }: Deletion): Promise<void> {
-  forgetChanges(changesOf(id));
+  forgetChanges(id);
   try {
     await remove();
     leaving.delete(id);

@@ -2,6 +2,8 @@ import { beforeEach, describe, expect, it } from 'vitest';
 import type { Plan } from '../../src/contract/types';
 import { inverse } from '../../src/geo/geodesic';
 import { hueOf, planDash } from '../../src/theme/palette';
+import { setSpan, setTime, time_ms } from '../../src/model/clock';
+import { redo, undo } from '../../src/model/undo';
 import { add, forget, nextName, plans, select, selectedPlan, show, shown, shownPlans, vehicleAt } from '../../src/model/plan/plans';
 
 function plan(id: string, name = ''): Plan {
@@ -31,6 +33,23 @@ describe('plans', () => {
     expect(selectedPlan.value?.plan_id).toBe('two');
     show('two', false);
     expect(selectedPlan.value?.plan_id).toBe('one');
+  });
+
+  it('leave the map when planning them is undone, and stay in the list', () => {
+    setSpan('a day', { start_ms: 0, end_ms: 86_400_000 });
+    add(plan('before'));
+    setTime(7_200_000);
+    add(plan('new', 'Plan 2'), [plan('alternative')]);
+    setTime(3_600_000);
+    expect(undo()?.title).toBe('planning Plan 2, which stays in the list');
+    expect([shown.value, selectedPlan.value?.plan_id, time_ms.value]).toEqual([['before'], 'before', 7_200_000]);
+    expect(plans.value).toHaveLength(3);
+    redo();
+    expect([shown.value, selectedPlan.value?.plan_id, time_ms.value]).toEqual([['before', 'new', 'alternative'], 'new', 3_600_000]);
+    forget('before');
+    undo();
+    expect([shown.value, selectedPlan.value]).toEqual([[], undefined]);
+    setSpan('a day', undefined);
   });
 
   it('keep their letter and colour as long as they are listed, and those with the same colour differ in dash', () => {

@@ -2,7 +2,8 @@ import { computed, signal } from '@preact/signals';
 import type { Position } from '../../contract/data_types';
 import type { Plan } from '../../contract/types';
 import { inverse, destination } from '../../geo/geodesic';
-import { time_ms } from '../clock';
+import { setTime, time_ms } from '../clock';
+import { remember } from '../undo';
 
 /** All stored plans, newest first. */
 export const plans = signal<Plan[]>([]);
@@ -70,8 +71,29 @@ export function select(id: string | undefined): void {
   selectedWaypoint.value = undefined;
 }
 
-/** Adds a plan and selects it, with its alternatives below it in the list and beside it on the map. */
+/** What is on the map, what is selected and the clock's time, as a function that brings them back. Plans deleted by then stay away. */
+function currentSight(): () => void {
+  const [ids, selected, at_ms] = [shown.peek(), selectedId.peek(), time_ms.peek()];
+  return () => {
+    const listed = new Set(plans.peek().map(({ plan_id }) => plan_id));
+    shown.value = ids.filter((id) => listed.has(id));
+    select(selected !== undefined && listed.has(selected) ? selected : undefined);
+    setTime(at_ms);
+  };
+}
+
+/**
+ * Adds a new plan and selects it, with its alternatives below it in the list and beside it on the map. Undo brings back
+ * the sight before. The plan stays in the list, because the server has stored it.
+ */
 export function add(plan: Plan, alternatives: Plan[] = []): void {
+  let other = currentSight();
+  const swap = (): void => {
+    const now = currentSight();
+    other();
+    other = now;
+  };
+  remember({ title: `planning ${titleOf(plan)}, which stays in the list`, of: plan.plan_id, back: swap, again: swap });
   const added = [plan, ...alternatives];
   const ids = added.map(({ plan_id }) => plan_id);
   plans.value = [...added, ...plans.value.filter(({ plan_id }) => !ids.includes(plan_id))];
