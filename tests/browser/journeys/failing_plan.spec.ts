@@ -65,10 +65,17 @@ test('where the currents end before the route does, a plan without them is one p
   await expect(failure.getByRole('heading').first()).toHaveText('Outside the area or time of the data', untilRefused);
   await expect(failure).toContainText('the stored currents end at');
   await expectAccessible(page);
+  const withoutCurrents = failure.getByRole('button', { name: 'Plan without currents' });
+  await page.getByLabel('Goal', { exact: true }).fill(typed([-52.2, 69.14]));
+  await expect(failure).toContainText('The set-up has changed since.');
+  await expect(withoutCurrents).toBeHidden();
+  await page.keyboard.press('Control+z');
   const before = Number(await page.locator('#map').getAttribute('data-plans'));
-  await failure.getByRole('button', { name: 'Plan without currents' }).click();
+  await withoutCurrents.click();
   await expect(page.locator('#map')).toHaveAttribute('data-plans', String(before + 1));
   await expect(page.getByLabel('Currents', { exact: true })).toHaveValue('none');
+  await page.keyboard.press('Control+z');
+  await expect(page.locator('#map')).toHaveAttribute('data-plans', String(before));
   await page.keyboard.press('Control+z');
   await expect(page.getByLabel('Currents', { exact: true })).toHaveValue('newest');
 });

@@ -4,7 +4,7 @@ import { draft, edit, faults, generalFaults, refuse, type Draft } from '../model
 import { editFor, sortViolations } from '../model/setup/draft_answer';
 import { inputsOf } from '../model/setup/draft_request';
 import { whyNotPlanned } from '../model/drawing';
-import { failure, reasonTitle, running } from '../model/job';
+import { attempted, failure, reasonTitle, running } from '../model/job';
 import { warnedOf } from '../model/messages';
 import { forbids } from '../model/login';
 import { asSentence } from '../model/page_words';
@@ -75,6 +75,7 @@ const isSilence = (error: unknown): boolean => error instanceof api.ApiError && 
 /** Follows a job to its end. A resumed job that the server no longer knows is dropped without a message. */
 async function attend(inputs: PlanInputs, started_ms: number, begin: () => Promise<JobStatus>, isLeft = false): Promise<void> {
   running.value = { status: undefined, started_ms };
+  attempted.value = draft.peek();
   cancelled = new AbortController();
   try {
     const begun = await begin();

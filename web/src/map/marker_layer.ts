@@ -9,7 +9,7 @@ import { project } from '../geo/projections';
 import { draft, hasGoalsFile, placeIn, placesIn } from '../model/setup/draft';
 import { safePlaces } from '../model/plan/export_options';
 import { openForm } from '../model/hand_made';
-import { failure } from '../model/job';
+import { failure, isFailureOld } from '../model/job';
 import { messagesOf, placeOf, shownMessage } from '../model/messages';
 import { selectedId, selectedPlan } from '../model/plan/plans';
 import { openEdit } from '../model/plan/route_edit';
@@ -21,7 +21,7 @@ import { StillLayer } from './still_layer';
 
 /**
  * Start, goal and via points of the set-up; safe places of an export (R for recovery); the berg being reported; the
- * place where planning failed; places of dangers and cautions of the selected plan and of its alternatives' messages;
+ * place where planning failed, until the set-up is changed; places of dangers and cautions of the selected plan and of its alternatives' messages;
  * the place probed last.
  */
 export function markerLayer(): VectorLayer<VectorSource> {
@@ -54,7 +54,7 @@ export function markerLayer(): VectorLayer<VectorSource> {
       put(placeOf(message), alarm(message === shownMessage.value, message.rank === 'danger' ? colours.danger : colours.caution, colours));
     }
     const fault = failure.value;
-    if (fault?.kind === 'infeasible') put([fault.answer.at.lon, fault.answer.at.lat], cross(colours));
+    if (fault?.kind === 'infeasible' && !isFailureOld.value) put([fault.answer.at.lon, fault.answer.at.lat], cross(colours));
     const verdict = openEdit.value?.verdict;
     if (verdict?.state === 'infeasible') put([verdict.answer.at.lon, verdict.answer.at.lat], cross(colours));
     const checked = rechecks.value[selectedId.value ?? ''];

@@ -1,7 +1,7 @@
-import { signal } from '@preact/signals';
+import { computed, signal } from '@preact/signals';
 import type { Infeasible, JobStatus } from '../contract/types';
 import { asSentence } from './page_words';
-import type { Draft } from './setup/draft';
+import { draft, type Draft } from './setup/draft';
 
 /** The planning job under way, if any. */
 export interface RunningJob {
@@ -21,6 +21,12 @@ export interface Remedy {
 export type Failure = { kind: 'infeasible'; answer: Infeasible } | { kind: 'failed'; title: string; detail: string; remedies?: Remedy[] };
 
 export const failure = signal<Failure | undefined>(undefined);
+
+/** The set-up at the last attempt. */
+export const attempted = signal<Draft | undefined>(undefined);
+
+/** Whether the set-up differs from that of the last attempt. Then the place and the remedies of its failure may be wrong. */
+export const isFailureOld = computed(() => attempted.value !== undefined && JSON.stringify(attempted.value) !== JSON.stringify(draft.value));
 
 const stages: Record<string, string> = {
   'loading data': 'Reading the data',

@@ -1,6 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import type { JobStatus } from '../../src/contract/types';
-import { causeIn, outcomeTitle, stageTitle } from '../../src/model/job';
+import { attempted, causeIn, isFailureOld, outcomeTitle, stageTitle } from '../../src/model/job';
+import { draft, edit } from '../../src/model/setup/draft';
+import { undo } from '../../src/model/undo';
 
 const job = (part: Partial<JobStatus>): JobStatus => ({
   jobID: 'a', type: 'process', processID: 'plan-route', status: 'running', message: '', progress: 10, stage: 'search', created: '', updated: '', links: [], ...part,
@@ -18,5 +20,15 @@ describe('a job in words', () => {
     expect(outcomeTitle(job({ status: 'successful', message: 'no route: the goal lies on land' }))).toBe('no route');
     expect(outcomeTitle(job({ status: 'successful' }))).toBe('successful');
     expect(outcomeTitle(job({ status: 'failed', message: 'no route: to the server' }))).toBe('failed');
+  });
+
+  it('has an old failure as long as the set-up differs from that of the attempt', () => {
+    edit({ to: '69 N 52 W' });
+    attempted.value = draft.peek();
+    expect(isFailureOld.value).toBe(false);
+    edit({ to: '69 N 53 W' });
+    expect(isFailureOld.value).toBe(true);
+    undo();
+    expect(isFailureOld.value).toBe(false);
   });
 });

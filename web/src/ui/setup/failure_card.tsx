@@ -1,11 +1,11 @@
 import type { VNode } from 'preact';
 import { useEffect, useRef } from 'preact/hooks';
 import { planWith, planWithChange } from '../../actions/planning';
-import type { Change } from '../../contract/types';
+import type { Change, Infeasible } from '../../contract/types';
 import { formatPosition } from '../../geo/coordinates';
 import { draft } from '../../model/setup/draft';
 import { editFor } from '../../model/setup/draft_answer';
-import { failure, mayHelpWithoutCurrents, reasonTitle, running } from '../../model/job';
+import { failure, isFailureOld, mayHelpWithoutCurrents, reasonTitle, running } from '../../model/job';
 import { asSentence, inPageWords } from '../../model/page_words';
 import { settings } from '../../model/settings';
 import { shortTime } from '../../model/time';
@@ -32,7 +32,9 @@ function titleOfChange({ text }: Change): string {
   return said.charAt(0).toUpperCase() + said.slice(1);
 }
 
-/** Why there is no plan: the cause, the place (marked on the map), and what would help. */
+const hasChanged = 'The set-up has changed since. Plan again to see whether this still holds.';
+
+/** Why there is no plan: the cause and, until the set-up is changed, the place (marked on the map) and what would help. */
 export function FailureCard(): VNode | null {
   const fault = failure.value;
   const card = useRef<HTMLElement>(null);
@@ -47,7 +49,7 @@ export function FailureCard(): VNode | null {
       <section class="failure" role="alert" aria-label="Planning failed" ref={card}>
         <h3><Icon name="warning" /> {fault.title}</h3>
         <p>{fault.detail}</p>
-        {fault.remedies && fault.remedies.length > 0 && (
+        {isFailureOld.value ? <p class="hint">{hasChanged}</p> : fault.remedies && fault.remedies.length > 0 && (
           <div class="changes" role="group" aria-label="Changes that may help">
             {fault.remedies.map(({ title, part }) => (
               <button type="button" key={title} disabled={running.value !== undefined} onClick={() => void planWith(part)}>
@@ -61,12 +63,23 @@ export function FailureCard(): VNode | null {
     );
   }
   const { answer } = fault;
-  const possible = (answer.changes ?? []).filter((change) => editFor(change, draft.value));
-  const needsAdvice = possible.length === 0 || answer.changes_cut_short;
   return (
     <section class="failure" role="alert" aria-label="No plan is possible" ref={card}>
       <h3><Icon name="warning" /> {reasonTitle(answer.reason)}</h3>
       <p>{asSentence(answer.explanation)}</p>
+      {isFailureOld.value ? <p class="hint">{hasChanged}</p> : <Remedies answer={answer} />}
+      <Messages of={answer} />
+      <IconButton icon="x" label="Dismiss this message" onClick={close} class="corner" />
+    </section>
+  );
+}
+
+/** The place where the search ended, and what would help. */
+function Remedies({ answer }: { answer: Infeasible }): VNode {
+  const possible = (answer.changes ?? []).filter((change) => editFor(change, draft.value));
+  const needsAdvice = possible.length === 0 || answer.changes_cut_short;
+  return (
+    <>
       <p class="failure-place">
         <button type="button" class="link" onClick={() => ask({ do: 'centre', place: [answer.at.lon, answer.at.lat] })}>
           {formatPosition([answer.at.lon, answer.at.lat], settings.value.coordinates)}
@@ -87,8 +100,6 @@ export function FailureCard(): VNode | null {
           <p class="hint">Such a plan assumes still water: its times and energy hold only where the currents are weak.</p>
         </div>
       )}
-      <Messages of={answer} />
-      <IconButton icon="x" label="Dismiss this message" onClick={close} class="corner" />
-    </section>
+    </>
   );
 }
