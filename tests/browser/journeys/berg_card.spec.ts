@@ -28,9 +28,16 @@ test('a click on an iceberg opens its card with source, size, keel, history and 
   for (const word of ['Seen', 'Size', 'Keel', 'History', 'Expected now', 'Forecast to']) await expect(card).toContainText(word);
   await expect(card).toContainText(/\d sighting/);
   await expectAccessible(page);
+  const legend = page.locator('.legend');
+  const gap = async (): Promise<number> => {
+    const [above, below] = [await card.boundingBox(), await legend.boundingBox()];
+    return (below?.y ?? NaN) - (above?.y ?? NaN) - (above?.height ?? NaN);
+  };
+  await expect.poll(gap).toBeGreaterThan(0);
   await page.locator('#map').focus();
   await page.keyboard.press('Escape');
   await expect(card).toHaveCount(0);
+  await expect(legend).toHaveAttribute('open');
 });
 
 test('the figure of the nearest iceberg names it and leads to its card', async ({ page, request }) => {

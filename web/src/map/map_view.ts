@@ -32,7 +32,7 @@ import { opening } from '../model/shared_view';
 import { shownFlight } from '../model/plan/simulations';
 import { visible } from '../model/layers';
 import { gliderTracks, hoveredTrack } from '../model/tracks';
-import { command, hoveredBerg, legendSize_px, pointer, tool, view, type Command } from '../model/view';
+import { command, expectedLegend_px, hoveredBerg, legendSize_px, pointer, tool, view, type Command } from '../model/view';
 import { areaLayer } from './area_layer';
 import { bathymetryLayer } from './bathymetry_layer';
 import { coastLayer } from './coast_layer';
@@ -156,9 +156,6 @@ function cornersOf([west, south, east, north]: Box): Position[] {
   }
   return places;
 }
-
-/** About the size of the legend with all data, for the view that the map opens with, before the legend is laid out. */
-const expectedLegend_px = { width: 216, height: 380 };
 
 /**
  * Width of the screen elements over the map's edges, clockwise from the top: tools on the left, and an unfolded legend

@@ -26,6 +26,12 @@ export const noteHeight_px = signal(0);
  */
 export const legendSize_px = signal<{ width: number; height: number } | undefined>(undefined);
 
+/** About the size of the legend with all data, before it is laid out. */
+export const expectedLegend_px = { width: 216, height: 380 };
+
+/** How far the arrow of north and the cards below it reach down the map. The panel of the map sets it. */
+export const cardsBottom_px = signal(0);
+
 /** The berg under the pointer. */
 export const hoveredBerg = signal<IcebergFeature | undefined>(undefined);
 

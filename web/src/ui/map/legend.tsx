@@ -3,6 +3,7 @@ import type { VNode } from 'preact';
 import { time_ms } from '../../model/clock';
 import { chosenBathymetry, chosenCurrents, chosenSeaIce, ofKind, vehicles } from '../../model/datasets';
 import { draft } from '../../model/setup/draft';
+import { openBerg } from '../../model/ice/berg_card';
 import { drifts, driftsLeftOut } from '../../model/ice/drift';
 import { icebergs, seaIce, seaIceFault } from '../../model/field';
 import { chartInWords, drawnChart } from '../../model/ice/ice_chart';
@@ -11,25 +12,40 @@ import { crowd, validity_h } from '../../model/ice/icebergs';
 import { visible } from '../../model/layers';
 import { selectedShown, type ShownPlan } from '../../model/plan/plans';
 import { goToSeaIce, heldSeaIceStep_ms, iceEdge, nearestSeaIceStep_ms, seaIceLevels, surfacingLimit } from '../../model/ice/sea_ice';
+import { probed } from '../../model/probe';
 import { change, settings } from '../../model/settings';
 import { shortTime } from '../../model/time';
 import { gliderTracks } from '../../model/tracks';
 import { speedFigure, speedUnit } from '../../model/units';
-import { legendSize_px } from '../../model/view';
+import { cardsBottom_px, expectedLegend_px, legendSize_px, view } from '../../model/view';
 import { closedWaypoints, isLegBelowIce } from '../../model/ice/under_ice';
 import { belowIceDash, currentLimits_m_s, depthLimits_m, palette, planColour, seaIceHatches } from '../../theme/palette';
 import { useSize } from '../common/use_size';
 
-/** Folded where the map is small, until a person folds or unfolds it; what they chose is remembered. */
+/**
+ * Folded where the map is small, until a person folds or unfolds it; what they chose is remembered. Also folded while
+ * a card on the map would reach it.
+ */
 const roomy = window.matchMedia('(min-width: 1361px) and (min-height: 780px)');
 const hasRoom = signal(roomy.matches);
 roomy.addEventListener('change', ({ matches }) => {
   hasRoom.value = matches;
 });
-const open = computed(() => settings.value.legend ?? hasRoom.value);
+/** Distance between the legend and the lower edge of the map, as in map.css. */
+const belowLegend_px = 34;
+
+/** Height of the legend when it was last unfolded. */
+const unfolded_px = signal(expectedLegend_px.height);
+
+const isReachedByCards = computed(() => {
+  const hasCards = openBerg.value !== undefined || probed.value !== undefined;
+  return hasCards && cardsBottom_px.value + unfolded_px.value + belowLegend_px > (view.value?.height_px ?? Infinity);
+});
+const open = computed(() => (settings.value.legend ?? hasRoom.value) && !isReachedByCards.value);
 
 const publishSize = (legend: HTMLDetailsElement | undefined): void => {
   legendSize_px.value = legend?.open ? { width: legend.offsetWidth, height: legend.offsetHeight } : { width: 0, height: 0 };
+  if (legend?.open) unfolded_px.value = legend.offsetHeight;
 };
 
 /** The meaning of colours and signs, with units. */

@@ -6,7 +6,7 @@ import { isSynthetic } from '../../model/datasets';
 import { drawnCorners, fewestCorners } from '../../model/drawing';
 import { currentsFault, isLoading } from '../../model/field';
 import { routeOf, selectedPlan } from '../../model/plan/plans';
-import { ask, noteHeight_px, tool, toolsReach_px, view } from '../../model/view';
+import { ask, cardsBottom_px, noteHeight_px, tool, toolsReach_px, view } from '../../model/view';
 import { IconButton } from '../common/icon';
 import { UndoButtons } from '../common/undo_buttons';
 import { useSize } from '../common/use_size';
@@ -25,20 +25,26 @@ const publishNote = (note: HTMLParagraphElement | undefined): void => {
   noteHeight_px.value = note?.offsetHeight ?? 0;
 };
 
+const publishCards = (cards: HTMLDivElement | undefined): void => {
+  cardsBottom_px.value = cards ? cards.offsetTop + cards.offsetHeight : 0;
+};
+
 /** The map and the elements on its frame. */
 export function MapPanel(): VNode {
   const target = useRef<HTMLDivElement>(null);
   const note = useSize(publishNote);
+  const cards = useSize(publishCards);
   useEffect(() => {
     if (target.current) createMap(target.current, (place) => void probeAt(place));
   }, []);
   return (
     <main class="map-panel" id="map-panel">
+      <h2 class="visually-hidden">Map</h2>
       <div ref={target} id="map" class="map" tabIndex={0} role="application" aria-label={map_keys} />
       <Toolbar />
       {tool.value !== 'pan' && <div class="map-cross" aria-hidden="true" />}
       <Prompt />
-      <div class="map-upper-right">
+      <div ref={cards} class="map-upper-right">
         <NorthArrow />
         <ProbeCard />
         <BergCard />
