@@ -1,5 +1,7 @@
 import { computed, signal } from '@preact/signals';
 import type { Infeasible, JobStatus } from '../contract/types';
+import { contains } from '../geo/boxes';
+import { datasets } from './datasets';
 import { asSentence } from './page_words';
 import { draft, type Draft } from './setup/draft';
 
@@ -59,8 +61,16 @@ export function stageTitle(status: JobStatus | undefined): string {
 /** The reason if the currents are too strong, end before the route, or do not cover it. */
 const ofCurrents = ['current', 'data_area', 'data_period'];
 
+/** Whether the place of a refusal lies outside the bathymetry, too. */
+function lacksDepths({ at, datasets: used }: Infeasible): boolean {
+  const bathymetry = used.filter(({ kind }) => kind === 'bathymetry').map(({ id }) => id);
+  const boxes = (datasets.value ?? []).filter(({ id }) => bathymetry.includes(id)).map(({ bbox }) => bbox);
+  return boxes.length > 0 && !boxes.some((box) => contains(box, [at.lon, at.lat, at.lon, at.lat]));
+}
+
 /** Whether there may be a plan without currents. */
-export const mayHelpWithoutCurrents = ({ binding_constraint = '' }: Infeasible): boolean => ofCurrents.includes(binding_constraint);
+export const mayHelpWithoutCurrents = (refusal: Infeasible): boolean =>
+  ofCurrents.includes(refusal.binding_constraint ?? '') && !(refusal.binding_constraint === 'data_area' && lacksDepths(refusal));
 
 /** Headline for a reason that a plan could not be made. */
 export function reasonTitle(reason: string): string {

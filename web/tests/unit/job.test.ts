@@ -1,6 +1,8 @@
 import { describe, expect, it } from 'vitest';
-import type { JobStatus } from '../../src/contract/types';
-import { attempted, causeIn, isFailureOld, outcomeTitle, stageTitle } from '../../src/model/job';
+import type { Dataset } from '../../src/contract/data_types';
+import type { Infeasible, JobStatus } from '../../src/contract/types';
+import { attempted, causeIn, isFailureOld, mayHelpWithoutCurrents, outcomeTitle, stageTitle } from '../../src/model/job';
+import { datasets } from '../../src/model/datasets';
 import { draft, edit } from '../../src/model/setup/draft';
 import { undo } from '../../src/model/undo';
 
@@ -30,5 +32,17 @@ describe('a job in words', () => {
     expect(isFailureOld.value).toBe(true);
     undo();
     expect(isFailureOld.value).toBe(false);
+  });
+
+  it('is not advised to plan without currents where the bathymetry ends, too', () => {
+    const bathymetry = { id: 'depths', kind: 'bathymetry', bbox: [-54, 68, -50, 70] } as unknown as Dataset;
+    datasets.value = [bathymetry];
+    const refused = (lon: number, binding_constraint = 'data_area'): Infeasible =>
+      ({ at: { lon, lat: 69 }, binding_constraint, datasets: [{ id: 'depths', kind: 'bathymetry', name: '', sha256: '' }] }) as unknown as Infeasible;
+    expect(mayHelpWithoutCurrents(refused(-52))).toBe(true);
+    expect(mayHelpWithoutCurrents(refused(-49.9))).toBe(false);
+    expect(mayHelpWithoutCurrents(refused(-49.9, 'current'))).toBe(true);
+    expect(mayHelpWithoutCurrents(refused(-52, 'land'))).toBe(false);
+    datasets.value = undefined;
   });
 });

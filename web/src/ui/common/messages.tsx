@@ -7,15 +7,18 @@ import { dialog } from '../../model/screen';
 import { settings } from '../../model/settings';
 import { Icon } from './icon';
 
-/** Messages to the pilot by rank: dangers, then cautions, then notes, which are folded at first. */
-export function Messages({ of }: { of: Told }): VNode {
+/**
+ * Messages to the pilot by rank: dangers, then cautions, then notes, which are folded at first. `about`: in the names of
+ * their regions, if they are not those of the selected plan.
+ */
+export function Messages({ of, about = '' }: { of: Told; about?: string }): VNode {
   const told = messagesOf(of);
   const ranked = (rank: Rank): Message[] => told.filter((message) => message.rank === rank);
   const notes = ranked('note');
   return (
     <>
-      <Box messages={ranked('danger')} rank="danger" />
-      <Box messages={ranked('caution')} rank="caution" />
+      <Box messages={ranked('danger')} rank="danger" about={about} />
+      <Box messages={ranked('caution')} rank="caution" about={about} />
       {notes.length > 0 && (
         <details class="note-box">
           <summary>{countOf(notes.length, 'note')}</summary>
@@ -26,10 +29,10 @@ export function Messages({ of }: { of: Told }): VNode {
   );
 }
 
-function Box({ messages, rank }: { messages: Message[]; rank: 'danger' | 'caution' }): VNode | null {
+function Box({ messages, rank, about }: { messages: Message[]; rank: 'danger' | 'caution'; about: string }): VNode | null {
   if (messages.length === 0) return null;
   return (
-    <section class={`${rank}-box`} aria-label={rank === 'danger' ? 'Dangers' : 'Cautions'}>
+    <section class={`${rank}-box`} aria-label={`${rank === 'danger' ? 'Dangers' : 'Cautions'}${about}`}>
       <h3><Icon name="warning" /> {countOf(messages.length, rank)}</h3>
       <MessageList messages={messages} />
     </section>

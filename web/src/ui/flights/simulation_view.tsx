@@ -19,7 +19,7 @@ export function SimulationView({ simulation }: { simulation: Simulation }): VNod
   const { flights, runs, simulation_id, statistics, tracks } = simulation;
   return (
     <section class="simulation" aria-label="Simulation">
-      <Messages of={simulation} />
+      <Messages of={simulation} about=" of the simulation" />
       {runs > 1 && (
         <ul class="ends" aria-label="How the flights ended">
           {statistics.ends.map(({ end, runs: count, share, share_interval_95 }) => (

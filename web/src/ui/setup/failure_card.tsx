@@ -68,7 +68,7 @@ export function FailureCard(): VNode | null {
       <h3><Icon name="warning" /> {reasonTitle(answer.reason)}</h3>
       <p>{asSentence(answer.explanation)}</p>
       {isFailureOld.value ? <p class="hint">{hasChanged}</p> : <Remedies answer={answer} />}
-      <Messages of={answer} />
+      <Messages of={answer} about=" of the refusal" />
       <IconButton icon="x" label="Dismiss this message" onClick={close} class="corner" />
     </section>
   );
