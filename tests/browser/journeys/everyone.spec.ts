@@ -27,7 +27,10 @@ test('a mission is planned, read and exported by what a screen reader is told', 
   await expect(setup.getByRole('textbox', { name: 'Goal', exact: true })).toBeFocused();
   await expect(setup.getByRole('textbox', { name: 'Goal', exact: true })).toHaveAccessibleDescription(/.+/);
   await setup.getByRole('textbox', { name: 'Goal', exact: true }).fill(typed(east));
-  await planned(page, () => page.keyboard.press('Enter'));
+  await planned(page, async () => {
+    await page.keyboard.press('Enter');
+    await expect(spoken(page)).toHaveText(/^Planning has begun|^Plan ready/);
+  });
   await expect(spoken(page)).toContainText(/^Plan ready: \d+ h \d\d min, \d+ waypoints\./);
 
   const result = page.getByRole('complementary', { name: 'Waypoints' });
@@ -96,6 +99,8 @@ test.describe('with a finger', () => {
     await page.getByRole('button', { name: 'Set-up and plans' }).tap();
     await expect(page.getByLabel('Goal', { exact: true })).not.toHaveValue('');
     await planned(page, () => page.getByRole('button', { name: /^Plan / }).tap());
+    await page.getByRole('toolbar', { name: 'Map tools' }).getByRole('button', { name: 'Undo' }).tap();
+    await expect(page.locator('.notice')).toHaveText(/^Undone: planning Plan \d+, which stays in the list\.$/);
     await page.getByRole('toolbar', { name: 'Map tools' }).getByRole('button', { name: 'Undo' }).tap();
     await expect(page.locator('.notice')).toHaveText('Undone: changing “Goal”.');
     await expectAccessible(page);

@@ -4,7 +4,7 @@ import { draft, edit, faults, generalFaults, refuse, type Draft } from '../model
 import { editFor, sortViolations } from '../model/setup/draft_answer';
 import { inputsOf } from '../model/setup/draft_request';
 import { whyNotPlanned } from '../model/drawing';
-import { attempted, failure, reasonTitle, running } from '../model/job';
+import { attempted, failure, progressInWords, reasonTitle, running } from '../model/job';
 import { warnedOf } from '../model/messages';
 import { forbids } from '../model/login';
 import { asSentence } from '../model/page_words';
@@ -76,6 +76,7 @@ const isSilence = (error: unknown): boolean => error instanceof api.ApiError && 
 async function attend(inputs: PlanInputs, started_ms: number, begin: () => Promise<JobStatus>, isLeft = false): Promise<void> {
   running.value = { status: undefined, started_ms };
   attempted.value = draft.peek();
+  announce('Planning has begun.');
   cancelled = new AbortController();
   try {
     const begun = await begin();
@@ -103,9 +104,16 @@ export async function planWith(part: Partial<Draft>): Promise<void> {
   await plan();
 }
 
+/** Time between two announcements of progress, so that a screen reader can be used meanwhile. */
+const quiet_ms = 10_000;
+
 async function carryOut(begun: JobStatus, inputs: PlanInputs, started_ms: number, signal: AbortSignal): Promise<void> {
+  let spoken_ms = Date.now();
   const status = await follow(begun, signal, (now) => {
     running.value = { status: now, started_ms };
+    if (Date.now() - spoken_ms < quiet_ms) return;
+    spoken_ms = Date.now();
+    announce(progressInWords(now));
   });
   if (status.status === 'dismissed') {
     announce('Planning was cancelled.');

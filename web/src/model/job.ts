@@ -58,6 +58,9 @@ export function stageTitle(status: JobStatus | undefined): string {
   return stages[stage] ?? (stage ? stage.charAt(0).toUpperCase() + stage.slice(1).replaceAll('_', ' ') : 'Working');
 }
 
+/** "Searching the route, 45 %.", for screen readers. */
+export const progressInWords = (status: JobStatus): string => `${stageTitle(status)}, ${status.progress} %.`;
+
 /** The reason if the currents are too strong, end before the route, or do not cover it. */
 const ofCurrents = ['current', 'data_area', 'data_period'];
 

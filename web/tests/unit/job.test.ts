@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { Dataset } from '../../src/contract/data_types';
 import type { Infeasible, JobStatus } from '../../src/contract/types';
-import { attempted, causeIn, isFailureOld, mayHelpWithoutCurrents, outcomeTitle, stageTitle } from '../../src/model/job';
+import { attempted, causeIn, isFailureOld, mayHelpWithoutCurrents, outcomeTitle, progressInWords, stageTitle } from '../../src/model/job';
 import { datasets } from '../../src/model/datasets';
 import { draft, edit } from '../../src/model/setup/draft';
 import { undo } from '../../src/model/undo';
@@ -16,6 +16,7 @@ describe('a job in words', () => {
     expect(causeIn(refused)).toBe('The goal lies on land.');
     expect(stageTitle(refused)).toBe('Not possible as asked. Looking for what would help');
     expect(causeIn(job({}))).toBeUndefined();
+    expect(progressInWords(job({ progress: 45 }))).toBe('Searching the route, 45 %.');
   });
 
   it('is not called successful in a list where it found no route', () => {
