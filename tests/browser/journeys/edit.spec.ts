@@ -1,3 +1,4 @@
+import { expectAccessible } from '../support/accessible';
 import { expect, mapAtRest, open, pixelOf, planByTyping, test, type LonLat } from '../support/page';
 import { findPlaces } from '../support/places';
 import type { Page } from '@playwright/test';
@@ -138,6 +139,8 @@ test('a route that cannot be flown or judged cannot be stored', { tag: '@long' }
   await last.fill(`${land[1].toFixed(5)}, ${land[0].toFixed(5)}`);
   await page.keyboard.press('Enter');
   await expect(page.getByRole('region', { name: 'The route cannot be flown' })).toBeVisible({ timeout: 30_000 });
+  await expect(page.locator('.figures-grid')).toBeHidden(); // they were of the route before
+  await expectAccessible(page);
   await expect(save(page)).toBeDisabled();
 
   await page.route(evaluations, (route) => route.abort());

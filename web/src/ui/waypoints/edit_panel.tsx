@@ -20,7 +20,7 @@ import { Figures } from './figures';
 /** An edited copy of a plan: its values beside those of the plan, and the button that stores it as a new plan. */
 export function EditPanel({ edit, shown }: { edit: RouteEdit; shown: ShownPlan }): VNode {
   const { verdict, figures, origin } = edit;
-  const pending = verdict.state !== 'ok';
+  const pending = verdict.state === 'pending';
   return (
     <div class="result editing">
       <div class="result-head">
@@ -29,9 +29,11 @@ export function EditPanel({ edit, shown }: { edit: RouteEdit; shown: ShownPlan }
         <IconButton icon="x" label="Discard the changes" onClick={discardEdit} />
       </div>
       <State edit={edit} />
-      <Figures plan={figures} {...(edit.number > 0 ? { beside: origin } : {})} pending={pending} />
-      {(verdict.state === 'ok' || verdict.state === 'pending') && (
-        <div class={pending ? 'pending' : undefined}><Messages of={figures} /></div>
+      {(verdict.state === 'ok' || verdict.state === 'pending') && ( // else they would be those of another route than is drawn
+        <>
+          <Figures plan={figures} {...(edit.number > 0 ? { beside: origin } : {})} pending={pending} />
+          <div class={pending ? 'pending' : undefined}><Messages of={figures} /></div>
+        </>
       )}
       <Save edit={edit} />
       <EditTable edit={edit} />
