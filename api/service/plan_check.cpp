@@ -74,15 +74,26 @@ PlanCheck not_checkable(sql::Connection& db, const std::vector<DatasetRef>& used
   return check;
 }
 
-/// Messages about kinds of data that the plan was made without.
+/// The plan's own message that this kind of data was left out or is missing.
+const messages::Message* own_message_of_gap(const planning::Plan& plan, const std::string& kind) {
+  const auto own = std::ranges::find_if(plan.messages, [&](const messages::Message& message) {
+    return message.code == kind + "-left-out" || message.code == kind + "-missing";
+  });
+  return own == plan.messages.end() ? nullptr : &*own;
+}
+
+/// Messages about kinds of data that the plan was made without. The plan's own message says why, and shown
+/// beside the plan's messages it is not told twice.
 std::vector<messages::Message> gaps_of(const planning::Plan& plan) {
   std::vector<messages::Message> told;
-  const auto lacks = [&](const char* kind) {
-    return std::ranges::find(plan.datasets, kind, &DatasetRef::kind) == plan.datasets.end();
+  const auto tell = [&](const char* kind, messages::Message otherwise) {
+    if (std::ranges::find(plan.datasets, kind, &DatasetRef::kind) != plan.datasets.end()) return;
+    const auto* const own = own_message_of_gap(plan, kind);
+    told.push_back(own != nullptr ? *own : std::move(otherwise));
   };
-  if (lacks("bathymetry")) told.push_back(messages::export_message<"made-without-bathymetry">());
-  if (lacks("ice")) told.push_back(messages::export_message<"made-without-ice">());
-  if (lacks("icebergs")) told.push_back(messages::export_message<"made-without-icebergs">());
+  tell("bathymetry", messages::export_message<"made-without-bathymetry">());
+  tell("ice", messages::export_message<"made-without-ice">());
+  tell("icebergs", messages::export_message<"made-without-icebergs">());
   return told;
 }
 

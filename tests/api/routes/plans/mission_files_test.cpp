@@ -1,6 +1,7 @@
 #include "api/codec/documents/plan_document.hpp"
 #include "api/routes/plans/plan_exports.hpp"
 #include "engine/core/utc_text.hpp"
+#include "engine/messages/data_messages.hpp"
 #include "storage/repository/work/plan_repository.hpp"
 #include "tests/api/routes/api_fixture.hpp"
 
@@ -129,6 +130,24 @@ TEST_F(MissionFilesTest, SayWhatThePlanWasMadeWithout) {
   EXPECT_THAT(warnings, Contains(HasSubstr("made without sea ice, so open water is assumed")));
   EXPECT_THAT(warnings, Contains(HasSubstr("made without bathymetry")));
   EXPECT_THAT(warnings, testing::Not(Contains(HasSubstr("made without icebergs"))));
+}
+
+TEST_F(MissionFilesTest, SayOnceWhatThePlanSaysItWasMadeWithout) {
+  const repository::PlanRecord stored = repository::PlanRepository{db_}.find({"p1"}).value();
+  planning::Plan plan = codec::parse_plan_document(json::parse(stored.document_json));
+  plan.messages = {messages::data_message<"ice-left-out">()};
+  repository::PlanRecord record = stored;
+  record.id = {"p2"};
+  record.document_json = codec::plan_document(plan, "p2", "").dump();
+  repository::PlanRepository{db_}.insert(record);
+
+  const std::string brief = ask("GET", "/collections/plans/items/p2/mission.html").body;
+
+  const auto told = brief.find("Sea ice was left out as requested");
+  ASSERT_NE(told, std::string::npos);
+  EXPECT_EQ(brief.find("Sea ice was left out as requested", told + 1), std::string::npos);
+  EXPECT_THAT(brief, testing::Not(HasSubstr("made without sea ice")));
+  EXPECT_THAT(brief, HasSubstr("made without bathymetry"));
 }
 
 TEST_F(MissionFilesTest, AreDownloadedUnderTheNameDepartureAndIdOfThePlan) {
