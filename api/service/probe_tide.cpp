@@ -1,9 +1,9 @@
 #include "api/service/probe_tide.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
+#include "engine/core/shown_text.hpp"
 #include "engine/geo/geodesic.hpp"
 #include "engine/tide/minor_constituents.hpp"
 #include "storage/repository/fields/tide_repository.hpp"
@@ -17,8 +17,7 @@ using repository::Dataset;
 using repository::DatasetKind;
 
 std::string station_words(const std::string& name, core::Metres distance) {
-  return (name.empty() ? "a station" : name) + ", " + std::to_string(std::lround(distance.value / 1000.0)) +
-         " km away";
+  return (name.empty() ? "a station" : name) + ", " + core::distance_text(distance) + " away";
 }
 
 void note_lines(codec::Probe::Tide& tide, const std::vector<tide::HarmonicConstant>& constants) {

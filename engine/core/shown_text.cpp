@@ -155,4 +155,13 @@ std::string shortened_list(const std::vector<std::string>& names) {
   return text;
 }
 
+std::string distance_text(Metres distance) {
+  const bool is_short = std::round(distance.value) < 1000.0;
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(),
+                is_short ? "%.0f m" : (distance.value < 1e5 ? "%.1f km" : "%.0f km"),
+                is_short ? distance.value : distance.value / 1000.0);
+  return text.data();
+}
+
 }  // namespace floeplan::core

@@ -4,7 +4,9 @@
 #include <string_view>
 #include <vector>
 
-/// Makes text from outside fit to be shown in logs, answers and lists.
+#include "engine/core/units.hpp"
+
+/// Makes text from outside fit to be shown in logs, answers and lists, and distances fit for people.
 namespace floeplan::core {
 
 /// The text with "(hidden)" in place of every credential: tokens and logins ("floeplan_" and hexadecimal
@@ -22,5 +24,8 @@ namespace floeplan::core {
 
 /// The first ten names, separated by commas, and the number of further ones.
 [[nodiscard]] std::string shortened_list(const std::vector<std::string>& names);
+
+/// A distance for people: "812 m" below a kilometre, "3.2 km", "142 km" from 100 km on.
+[[nodiscard]] std::string distance_text(Metres distance);
 
 }  // namespace floeplan::core

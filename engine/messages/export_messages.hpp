@@ -73,50 +73,51 @@ inline constexpr auto export_kinds = std::to_array<Kind>({
      .slots = {{{"lists", 3}, {"holds", 1}, {"first", "goto_l10.ma"}, {"last", "goto_l12.ma"}}}},
     {.code = "list-ends-in-unknown-ice",
      .rank = Rank::caution,
-     .text = "{list} ends at waypoint {waypoint}, where the ice is unknown",
+     .text = "{list} ends at waypoint {waypoint:label}, where the ice is unknown",
      .hint = "Make sure that the vehicle can surface there.",
      .slots = {{{"list", "goto_l10.ma"}, {"waypoint", 8}}}},
     {.code = "list-ends-far-off",
      .rank = Rank::caution,
-     .text = "{list} ends at waypoint {waypoint} with a position error of {error_km:.0f} km",
+     .text = "{list} ends at waypoint {waypoint:label} with a position error of {error_km:distance}",
      .hint =
          "Make sure that all water within this distance is open, or plan a surfacing before this waypoint.",
      .slots = {{{"list", "goto_l10.ma"}, {"waypoint", 8}, {"error_km", 6.0}}}},
     {.code = "list-ends-after-ice-of-earlier-version",
      .rank = Rank::caution,
-     .text = "{list} ends at waypoint {waypoint} after ice or icebergs. An older version stored the plan, "
-             "without the distance of this waypoint from the ice",
+     .text = "{list} ends at waypoint {waypoint:label} after ice or icebergs. An older version stored the "
+             "plan, without the distance of this waypoint from the ice",
      .hint = "Plan again before the flight.",
      .slots = {{{"list", "goto_l10.ma"}, {"waypoint", 8}}}},
     // A caution only: the planned end lies in open water; the vehicle ends below ice only with a position
     // error as large as expected.
     {.code = "list-may-end-below-ice",
      .rank = Rank::caution,
-     .text = "{list} ends at waypoint {waypoint}, {room}. The vehicle may therefore surface below the ice",
-     .hint = "Plan the end more than {needed_m:.0f} m from the ice, or use a vehicle with smaller errors of "
-             "dead reckoning and currents.",
+     .text = "{list} ends at waypoint {waypoint:label}, {room}. The vehicle may therefore surface below the "
+             "ice",
+     .hint = "Plan the end more than {needed_m:distance} from the ice, or use a vehicle with smaller errors "
+             "of dead reckoning and currents.",
      .slots = {{{"list", "goto_l10.ma"},
                 {"waypoint", 8},
-                {"room", "900 m beyond the ice (waypoint radius 500 m, position error 1600 m)"},
+                {"room", "900 m beyond the ice (waypoint radius 500 m, position error 1.6 km)"},
                 {"needed_m", 1900.0}}}},
     {.code = "list-ends-beside-ice",
      .rank = Rank::caution,
-     .text = "{list} ends at waypoint {waypoint}, {room}",
+     .text = "{list} ends at waypoint {waypoint:label}, {room}",
      .hint = "Make sure that all water within the waypoint radius and the position error is open.",
      .slots = {{{"list", "goto_l10.ma"},
                 {"waypoint", 8},
-                {"room", "5000 m beyond the ice (waypoint radius 500 m, position error 1600 m)"}}}},
+                {"room", "5.0 km beyond the ice (waypoint radius 500 m, position error 1.6 km)"}}}},
     {.code = "list-flown-longer",
      .rank = Rank::caution,
-     .text = "{list} may take {late_h:.1f} h longer than planned, because the vehicle navigates with the "
+     .text = "{list} may take {late_h:duration} longer than planned, because the vehicle navigates with the "
              "current estimate of the list before it",
      .hint = "Make sure that the water at the end of this list is still open then.",
      .slots = {{{"list", "goto_l11.ma"}, {"late_h", 5.6}}}},
     {.code = "long-before-first-surfacing",
      .rank = Rank::caution,
-     .text = "{list} takes {flown_h:.1f} h to the first surfacing. Until then the vehicle navigates with the "
-             "current estimate of its last mission, or without any estimate. Each 0.1 m/s of error carries "
-             "the vehicle {off_km:.1f} km off the route, and perhaps below ice",
+     .text = "{list} takes {flown_h:duration} to the first surfacing. Until then the vehicle navigates with "
+             "the current estimate of its last mission, or without any estimate. Each 0.1 m/s of error "
+             "carries the vehicle {off_km:distance} off the route, and perhaps below ice",
      .hint = "Order a short dive at the start, or send a list with only the first waypoint.",
      .slots = {{{"list", "goto_l10.ma"}, {"flown_h", 8.0}, {"off_km", 2.9}}}},
     {.code = "lists-longer-than-documented",
@@ -126,26 +127,26 @@ inline constexpr auto export_kinds = std::to_array<Kind>({
      .slots = {{{"most", 12}}}},
     {.code = "waypoint-radius-too-large",
      .rank = Rank::caution,
-     .text = "The waypoint radius of {radius_m:.0f} m is at least half of the shortest leg ({shortest_m:.0f} "
-             "m), so the vehicle may skip a waypoint",
+     .text = "The waypoint radius of {radius_m:distance} is at least half of the shortest leg "
+             "({shortest_m:distance}), so the vehicle may skip a waypoint",
      .hint = "Choose a smaller radius.",
      .slots = {{{"radius_m", 500.0}, {"shortest_m", 800.0}}}},
     {.code = "corners-may-be-cut",
      .rank = Rank::caution,
-     .text = "The vehicle turns up to {radius_m:.0f} m before a waypoint and may cut corners, but the "
-             "plan passes {what} at {clearance_m:.0f} m",
+     .text = "The vehicle turns up to {radius_m:distance} before a waypoint and may cut corners, but the "
+             "plan passes {what} at {clearance_m:distance}",
      .hint = "Choose a smaller waypoint radius.",
      .slots = {{{"radius_m", 500.0}, {"what", "an iceberg"}, {"clearance_m", 400.0}}}},
     {.code = "long-leg",
      .rank = Rank::caution,
-     .text = "The leg to waypoint {waypoint} is {leg_km:.0f} km long. The vehicle aborts on a leg longer "
-             "than the mission's max_wpt_distance",
+     .text = "The leg to waypoint {waypoint:label} is {leg_km:distance} long. The vehicle aborts on a leg "
+             "longer than the mission's max_wpt_distance",
      .hint = "Check this value.",
      .slots = {{{"waypoint", 3}, {"leg_km", 140.0}}}},
     {.code = "hold-list",
      .rank = Rank::caution,
-     .text = "{list} holds station at waypoint {waypoint} with {legs} legs between two rows. In the currents "
-             "of the plan that takes about {expected_h:.1f} h",
+     .text = "{list} holds station at waypoint {waypoint:label} with {legs} legs between two rows. In the "
+             "currents of the plan that takes about {expected_h:duration}",
      .hint =
          "Send {next} at the surfacing nearest to {release}. If {list} ends long before, send {list} again.",
      .slots = {{{"list", "goto_l11.ma"},
@@ -156,8 +157,8 @@ inline constexpr auto export_kinds = std::to_array<Kind>({
                 {"release", "2027-01-12T18:00:00Z"}}}},
     {.code = "hold-list-without-end",
      .rank = Rank::caution,
-     .text = "{list} holds station at waypoint {waypoint} without end, but the plan holds only for "
-             "{wait_h:.1f} h",
+     .text = "{list} holds station at waypoint {waypoint:label} without end, but the plan holds only for "
+             "{wait_h:duration}",
      .hint = "Send {next} at the surfacing nearest to {release}.",
      .slots = {{{"list", "goto_l11.ma"},
                 {"waypoint", 4},
@@ -166,20 +167,20 @@ inline constexpr auto export_kinds = std::to_array<Kind>({
                 {"release", "2027-01-12T18:00:00Z"}}}},
     {.code = "hold-shorter-than-list",
      .rank = Rank::caution,
-     .text = "The plan holds for {wait_h:.1f} h at waypoint {waypoint}, which is shorter than a list of two "
-             "rows takes. The vehicle stays at the surface there",
+     .text = "The plan holds for {wait_h:duration} at waypoint {waypoint:label}, which is shorter than a "
+             "list of two rows takes. The vehicle stays at the surface there",
      .hint = "Send the next list at {release}.",
      .slots = {{{"wait_h", 0.5}, {"waypoint", 4}, {"release", "2027-01-12T18:00:00Z"}}}},
     {.code = "hold-not-in-lists",
      .rank = Rank::caution,
-     .text = "The plan holds for {wait_h:.1f} h at waypoint {waypoint}, where the vehicle must not surface. "
-             "No list ends there, so the vehicle flies on at once",
+     .text = "The plan holds for {wait_h:duration} at waypoint {waypoint:label}, where the vehicle must not "
+             "surface. No list ends there, so the vehicle flies on at once",
      .hint = "Plan again without holds (--max-hold 0), or depart later.",
      .slots = {{{"wait_h", 1.5}, {"waypoint", 4}}}},
     {.code = "format-without-holds",
      .rank = Rank::caution,
-     .text = "The plan holds for {wait_h:.1f} h at waypoint {waypoint}, but the format {format} cannot order "
-             "a hold",
+     .text = "The plan holds for {wait_h:duration} at waypoint {waypoint:label}, but the format {format} "
+             "cannot order a hold",
      .hint = "Keep the vehicle there until {release}.",
      .slots = {{{"wait_h", 2.7}, {"waypoint", 4}, {"format", "gpx"}, {"release", "2027-01-12T18:00:00Z"}}}},
     {.code = "beyond-utm",
@@ -228,7 +229,7 @@ inline constexpr auto export_kinds = std::to_array<Kind>({
      .hint = "Plan again before the flight."},
     {.code = "files-in-unknown-ice",
      .rank = Rank::caution,
-     .text = "The ice on {unknown_km:.1f} km of the route is unknown. There the yo turns as in open water, "
+     .text = "The ice on {unknown_km:distance} of the route is unknown. There the yo turns as in open water, "
              "or below the last known keels",
      .hint = "Make sure that the water there is open.",
      .slots = {{{"unknown_km", 12.4}}}},
@@ -250,18 +251,18 @@ inline constexpr auto export_kinds = std::to_array<Kind>({
     {.code = "no-ice-on-route",
      .rank = Rank::note,
      .text = "The route passes below no ice, so the mission surfaces at every waypoint and every "
-             "{interval_h:.1f} h. The safe places and the settings for ice are for emergencies.",
+             "{interval_h:duration}. The safe places and the settings for ice are for emergencies.",
      .slots = {{{"interval_h", 3.0}}}},
     {.code = "safe-places-without-ice-data",
      .rank = Rank::caution,
      .text = "The plan was made without data on sea ice, so the mission surfaces at every waypoint and "
-             "every {interval_h:.1f} h, as in open water",
+             "every {interval_h:duration}, as in open water",
      .hint = "If there may be ice on the route, ingest sea ice and plan again.",
      .slots = {{{"interval_h", 3.0}}}},
     {.code = "watchdog-not-held-off",
      .rank = Rank::caution,
-     .text = "A list takes {list_h:.1f} h below ice without contact, but the watchdog time no_cop_tickle_for "
-             "of abend stays at 13.5 h",
+     .text = "A list takes {list_h:duration} below ice without contact, but the watchdog time "
+             "no_cop_tickle_for of abend stays at 13.5 h",
      .hint = "Make sure that u_always_cop_tickle_hardware resets the watchdog in time.",
      .slots = {{{"list_h", 20.0}}}},
     {.code = "surfacings-not-in-files",
@@ -277,7 +278,8 @@ inline constexpr auto export_kinds = std::to_array<Kind>({
     {.code = "iceberg-near-safe-place",
      .rank = Rank::caution,
      .text =
-         "Iceberg {iceberg} was seen within {away_km:.0f} km of the safe place {place}, and may drift there",
+         "Iceberg {iceberg} was seen within {away_km:distance} of the safe place {place}, and may drift "
+         "there",
      .hint = "Make sure that the safe place stays clear.",
      .slots = {{{"iceberg", "B-17"}, {"away_km", 3.0}, {"place", "-53.2000, 69.2000"}}}},
     {.code = "safe-place-unknown",

@@ -29,7 +29,9 @@ struct Slot {
 
 /// A row of the catalogue.
 /// Text, hint  what is the matter, and what to do about it. They contain their values in braces, with the
-/// format of {fmt}: "ice at {ice_km:.1f} km"; for a count with its noun: "{legs} {legs:leg|legs}"
+/// format of {fmt}. Horizontal distances and durations have one form: "ice at {ice_km:distance}",
+/// "{late_h:duration} later". For a count with its noun: "{legs} {legs:leg|legs}"; for a
+/// waypoint's name, S for the start: "{waypoint:label}"
 struct Kind {
   std::string_view code;  // never changes: programs and stored plans use it
   Rank rank{Rank::caution};

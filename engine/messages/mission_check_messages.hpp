@@ -32,7 +32,7 @@ inline constexpr auto mission_check_kinds = std::to_array<Kind>({
      .slots = {{{"dive_m", 200.0}}}},
     {.code = "waypoint_too_far",
      .rank = Rank::danger,
-     .text = "leg {leg} is {leg_m:.0f} m long, longer than max_wpt_distance, so the vehicle aborts",
+     .text = "leg {leg} is {leg_m:distance} long, longer than max_wpt_distance, so the vehicle aborts",
      .hint = "divide the leg, or raise max_wpt_distance",
      .slots = {{{"leg", 3}, {"leg_m", 140000.0}}}},
     {.code = "recovery_list",
@@ -75,7 +75,7 @@ inline constexpr auto mission_check_kinds = std::to_array<Kind>({
      .slots = {{{"ground", "The ice on 12.4 km of the route is unknown."}}}},
     {.code = "route_clear",
      .rank = Rank::note,
-     .text = "the route is clear: {route_km:.1f} km in {time_h:.1f} h, from {from} to {until}",
+     .text = "the route is clear: {route_km:distance} in {time_h:duration}, from {from} to {until}",
      .slots = {{{"route_km", 42.0},
                 {"time_h", 33.5},
                 {"from", "2027-01-12T18:00:00Z"},
@@ -99,11 +99,11 @@ inline constexpr auto mission_check_kinds = std::to_array<Kind>({
      .rank = Rank::danger,
      .text = "the list ends here and the vehicle surfaces, only {room}",
      .hint = "end the list farther from the ice",
-     .slots = {{{"room", "300 m beyond the ice (waypoint radius 500 m, position error 1600 m)"}}}},
+     .slots = {{{"room", "300 m beyond the ice (waypoint radius 500 m, position error 1.6 km)"}}}},
     {.code = "list_ends_near_ice/perhaps",
      .text = "the list ends here and the vehicle surfaces, only {room}",
      .hint = "make sure that the water is open",
-     .slots = {{{"room", "900 m beyond the ice (waypoint radius 500 m, position error 1600 m)"}}}},
+     .slots = {{{"room", "900 m beyond the ice (waypoint radius 500 m, position error 1.6 km)"}}}},
     {.code = "surfaces_below_ice/dive",
      .rank = Rank::danger,
      .text = "the vehicle surfaces after every dive, but ice or icebergs lie above {legs}",
@@ -116,7 +116,7 @@ inline constexpr auto mission_check_kinds = std::to_array<Kind>({
      .slots = {{{"file", "surfac10.ma"}, {"where", "below ice or icebergs"}}}},
     {.code = "surfaces_below_ice/interval",
      .rank = Rank::danger,
-     .text = "the vehicle surfaces every {interval_h:.1f} h, but ice or icebergs lie above {legs}",
+     .text = "the vehicle surfaces every {interval_h:duration}, but ice or icebergs lie above {legs}",
      .hint = "take this surfacing out, or plan a route in open water",
      .slots = {{{"interval_h", 4.0}, {"legs", "legs 2 to 4 of the route"}}}},
     {.code = "surfaces_below_ice/any-time",
@@ -125,8 +125,8 @@ inline constexpr auto mission_check_kinds = std::to_array<Kind>({
      .slots = {{{"legs", "legs 2 to 4 of the route"}}}},
     {.code = "surfaces_below_ice/no-contact",
      .rank = Rank::danger,
-     .text = "the vehicle surfaces after {silence_h:.1f} h without contact, but it is below ice or icebergs "
-             "for up to {below_h:.1f} h after its last contact, on {legs}",
+     .text = "the vehicle surfaces after {silence_h:duration} without contact, but it is below ice or "
+             "icebergs for up to {below_h:duration} after its last contact, on {legs}",
      .hint = "allow a longer time without contact, or plan a route in open water",
      .slots = {{{"silence_h", 4.0}, {"below_h", 9.5}, {"legs", "legs 2 to 4 of the route"}}}},
 
@@ -141,16 +141,17 @@ inline constexpr auto mission_check_kinds = std::to_array<Kind>({
      .hint = "export the plan again, or check this row"},
     {.code = "hold_missing",
      .text =
-         "the plan holds for {wait_h:.1f} h at waypoint {waypoint}, until {until}, but no list holds there",
+         "the plan holds for {wait_h:duration} at waypoint {waypoint:label}, until {until}, but no list "
+         "holds there",
      .hint = "export the plan again",
      .slots = {{{"wait_h", 2.7}, {"waypoint", 4}, {"until", "2027-01-12T18:00:00Z"}}}},
     {.code = "hold_not_in_plan",
-     .text = "the list holds station after waypoint {waypoint}, where the plan does not hold",
+     .text = "the list holds station after waypoint {waypoint:label}, where the plan does not hold",
      .hint = "export the plan again",
      .slots = {{{"waypoint", 4}}}},
     {.code = "hold_beyond_circle",
-     .text = "the rows of the list lie up to {farthest_m:.0f} m from waypoint {waypoint}, but the plan "
-             "checked only a circle of {circle_m:.0f} m",
+     .text = "the rows of the list lie up to {farthest_m:distance} from waypoint {waypoint:label}, but the "
+             "plan checked only a circle of {circle_m:distance}",
      .hint = "move the rows closer to the waypoint",
      .slots = {{{"farthest_m", 900.0}, {"waypoint", 4}, {"circle_m", 500.0}}}},
     {.code = "hold_of_other_time",
@@ -159,9 +160,9 @@ inline constexpr auto mission_check_kinds = std::to_array<Kind>({
      .hint = "export the plan again",
      .slots = {{{"ends", "2027-01-12T18:00:00Z"}, {"until", "2027-01-12T20:00:00Z"}}}},
     {.code = "hold_of_other_length",
-     .text = "the {legs} legs of the list take {takes}, but the plan holds for {wait_h:.1f} h",
+     .text = "the {legs} legs of the list take {takes}, but the plan holds for {wait_h:duration}",
      .hint = "export the plan again",
-     .slots = {{{"legs", 5}, {"takes", "about 1.2 h"}, {"wait_h", 2.7}}}},
+     .slots = {{{"legs", 5}, {"takes", "about 1 h 12 min"}, {"wait_h", 2.7}}}},
 });
 
 /// Makes the message with this code. `given`: its values, in the order of its slots in the table above.

@@ -62,14 +62,14 @@ inline constexpr auto mission_fault_kinds = std::to_array<Kind>({
     // Lists that end near ice and icebergs.
     {.code = "plan-ends-near-ice",
      .text = "is the end of the plan, only {room}. The vehicle surfaces there, perhaps below the ice; "
-             "extend the plan until it ends more than {radius_m:.0f} m beyond the ice",
-     .slots = {{{"room", "300 m beyond the ice (waypoint radius 500 m, position error 1600 m)"},
+             "extend the plan until it ends more than {radius_m:distance} beyond the ice",
+     .slots = {{{"room", "300 m beyond the ice (waypoint radius 500 m, position error 1.6 km)"},
                 {"radius_m", 500.0}}}},
     {.code = "list-ends-near-ice",
      .text = "is the end of a list, only {room}. The vehicle surfaces there, perhaps below the ice; "
-             "extend the plan until it goes more than {radius_m:.0f} m beyond the ice, or use fewer "
+             "extend the plan until it goes more than {radius_m:distance} beyond the ice, or use fewer "
              "waypoints before it",
-     .slots = {{{"room", "300 m beyond the ice (waypoint radius 500 m, position error 1600 m)"},
+     .slots = {{{"room", "300 m beyond the ice (waypoint radius 500 m, position error 1.6 km)"},
                 {"radius_m", 500.0}}}},
     {.code = "plan-ends-below-ice",
      .text = "is the end of the plan and lies below ice or icebergs, but the vehicle surfaces at the end of "
@@ -115,7 +115,7 @@ inline constexpr auto mission_fault_kinds = std::to_array<Kind>({
      .hint = "choose another place",
      .slots = {{{"place", "-53.2000, 69.2000"}, {"iceberg", "B-17"}}}},
     {.code = "safe-place-too-far",
-     .text = "must be open water to which the vehicle can recover, but {place} is {away_km:.0f} km from "
+     .text = "must be open water to which the vehicle can recover, but {place} is {away_km:distance} from "
              "the plan, farther than the rest of the battery carries the vehicle",
      .hint = "choose a nearer place",
      .slots = {{{"place", "-53.2000, 69.2000"}, {"away_km", 240.0}}}},
@@ -131,7 +131,7 @@ inline constexpr auto mission_fault_kinds = std::to_array<Kind>({
      .hint = "plan again with deeper dives (--dive-depth)",
      .slots = {{{"dive_m", 80.0}, {"turn", "75 m because of ice or icebergs"}}}},
     {.code = "water-too-shallow-for-yo",
-     .text = "lead over water of only {bed_m:.0f} m at {place}, before waypoint {waypoint}. The "
+     .text = "lead over water of only {bed_m:.0f} m at {place}, before waypoint {waypoint:label}. The "
              "mission has one yo for all legs. Its upper turn must be no shallower than {turn}, so it "
              "needs {needed_m:.0f} m of water. Plan again with via points round this water, or raise "
              "the minimum working depth of the vehicle to {needed_m:.0f} m (minimum_working_depth_m), "
@@ -142,7 +142,7 @@ inline constexpr auto mission_fault_kinds = std::to_array<Kind>({
                 {"turn", "40 m"},
                 {"needed_m", 75.0}}}},
     {.code = "water-too-shallow-for-yo-below-ice",
-     .text = "lead over water of only {bed_m:.0f} m at {place}, before waypoint {waypoint}. The "
+     .text = "lead over water of only {bed_m:.0f} m at {place}, before waypoint {waypoint:label}. The "
              "mission has one yo for all legs. Its upper turn must be no shallower than {turn}, so it "
              "needs {needed_m:.0f} m of water. Plan again with via points round this water, or raise "
              "the minimum working depth of the vehicle to {needed_m:.0f} m (minimum_working_depth_m), "

@@ -38,21 +38,21 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
      .slots = {{{"under", 1}, {"vias", 3}, {"numbers", "2"}}}},
     {.code = "long-below-ice",
      .rank = Rank::danger,
-     .text = "the vehicle is below ice for {longest_h:.1f} h without a place to surface. During this time it "
-             "has no fix and no contact, and it cannot surface in an emergency",
+     .text = "the vehicle is below ice for {longest_h:duration} without a place to surface. During this "
+             "time it has no fix and no contact, and it cannot surface in an emergency",
      .hint = "Limit this time (--max-time-without-surfacing), or lead the route away from the ice (--via)",
      .slots = {{{"longest_h", 17.5}}}},
     {.code = "ice-unknown-on-route",
      .rank = Rank::caution,
-     .text = "the ice on {unknown_km:.1f} km of the route is unknown. The vehicle passes there, but the plan "
-             "includes no surfacing there",
+     .text = "the ice on {unknown_km:distance} of the route is unknown. The vehicle passes there, but the "
+             "plan includes no surfacing there",
      .hint = "Ingest ice data that cover the route",
      .slots = {{{"unknown_km", 12.4}}}},
     // Cautions, not dangers: the planned route itself is clear; only a position error brings the vehicle to
     // the ice.
     {.code = "ice-beside",
      .rank = Rank::caution,
-     .text = "the position error at {lon_deg:.4f}, {lat_deg:.4f} is {error_km:.1f} km, so the vehicle may "
+     .text = "the position error at {lon_deg:.4f}, {lat_deg:.4f} is {error_km:distance}, so the vehicle may "
              "come below the ice beside the route. Below that ice the upper turn must be at {turn_m:.0f} m "
              "or deeper, but it is planned at {planned_turn_m:.0f} m",
      .hint = "Set a deeper upper turn for the whole route (--climb-to {turn_m:.0f}), or limit the time "
@@ -64,7 +64,7 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
                 {"planned_turn_m", 10.0}}}},
     {.code = "ice-beside-needs-deeper-dives",
      .rank = Rank::caution,
-     .text = "the position error at {lon_deg:.4f}, {lat_deg:.4f} is {error_km:.1f} km, so the vehicle may "
+     .text = "the position error at {lon_deg:.4f}, {lat_deg:.4f} is {error_km:distance}, so the vehicle may "
              "come below the ice beside the route. Below that ice the upper turn must be at {turn_m:.0f} m "
              "or deeper, but it is planned at {planned_turn_m:.0f} m",
      .hint = "Set deeper dives for the whole route (--climb-to {turn_m:.0f} --dive-depth {dive_m:.0f}), or "
@@ -77,7 +77,7 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
                 {"dive_m", 220.0}}}},
     {.code = "ice-beside-too-deep",
      .rank = Rank::caution,
-     .text = "the position error at {lon_deg:.4f}, {lat_deg:.4f} is {error_km:.1f} km, so the vehicle may "
+     .text = "the position error at {lon_deg:.4f}, {lat_deg:.4f} is {error_km:distance}, so the vehicle may "
              "come below the ice beside the route. Below that ice the upper turn must be at {turn_m:.0f} m "
              "or deeper, but it is planned at {planned_turn_m:.0f} m",
      .hint = "This vehicle cannot dive below that ice. Choose a vehicle that dives deeper, or limit the time "
@@ -91,7 +91,8 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
      .rank = Rank::caution,
      .text =
          "at {near} of {surfacings} planned surfacings the position error exceeds the distance to the ice. "
-         "At the first, {first}, the ice is {ice_km:.1f} km away and the position error is {error_km:.1f} km",
+         "At the first, {first}, the ice is {ice_km:distance} away and the position error is "
+         "{error_km:distance}",
      .hint = "Surface more often (--surfacing-interval), or lead the route away from the ice (--via)",
      .slots = {{{"near", 2},
                 {"surfacings", 4},
@@ -101,8 +102,8 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
     {.code = "longer-below-ice-without-leads",
      .rank = Rank::danger,
      .text = "the plan counts on leads that are narrower than the position error, so the vehicle could "
-             "miss them. With these leads it is at most {longest_h:.0f} h without a place to surface, "
-             "without them {sure_h:.0f} h. During this time it has no fix and no contact, and it "
+             "miss them. With these leads it is at most {longest_h:duration} without a place to surface, "
+             "without them {sure_h:duration}. During this time it has no fix and no contact, and it "
              "cannot surface in an emergency",
      .hint = "Limit this time (--max-time-without-surfacing), or lead the route away from the ice "
              "(--via)",
@@ -110,17 +111,17 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
     // A danger: beyond the pilot's own limit, and an error as large as expected is enough.
     {.code = "leads-may-be-missed",
      .rank = Rank::danger,
-     .text = "the route keeps the limit of {bound_h:.1f} h without a place to surface only if the "
+     .text = "the route keeps the limit of {bound_h:duration} without a place to surface only if the "
              "vehicle finds leads that are narrower than its position error. Without these leads, the "
-             "longest time is {sure_h:.1f} h",
+             "longest time is {sure_h:duration}",
      .hint =
          "Set a shorter limit (--max-time-without-surfacing), or lead the route away from the ice (--via)",
      .slots = {{{"bound_h", 12.0}, {"sure_h", 19.5}}}},
     {.code = "escapes-end-near-ice",
      .rank = Rank::caution,
      .text = "{near} {near:escape route ends|escape routes end} closer to ice than the position error. The "
-             "first, from waypoint {waypoint}, ends {ice_km:.1f} km from the ice with a position error of "
-             "{error_km:.1f} km",
+             "first, from waypoint {waypoint:label}, ends {ice_km:distance} from the ice with a position "
+             "error of {error_km:distance}",
      .hint = "In an emergency, let the vehicle fly on into open water before it surfaces",
      .slots = {{{"near", 6}, {"waypoint", 3}, {"ice_km", 1.2}, {"error_km", 2.3}}}},
     {.code = "surfaces-more-often",
@@ -203,15 +204,15 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
      .slots = {{{"share_pct", 4.0}}}},
     {.code = "dives-below-currents",
      .rank = Rank::caution,
-     .text = "on {unknown_km:.1f} km of the route the dives go deeper than the current model. At worst "
+     .text = "on {unknown_km:distance} of the route the dives go deeper than the current model. At worst "
              "they go to {dive_m:.0f} m, where the currents end at {known_m:.0f} m. Below the model the "
              "plan uses the mean of the currents above, and the true current may differ",
      .hint = "Ingest currents that reach deeper, or dive less deep (--dive-depth)",
      .slots = {{{"unknown_km", 12.4}, {"dive_m", 200.0}, {"known_m", 60.0}}}},
     {.code = "passes-close-to-land",
      .rank = Rank::caution,
-     .text = "at {lon_deg:.4f}, {lat_deg:.4f} the route passes only {distance_m:.0f} m from land, closer "
-             "than the position error of {error_m:.0f} m there",
+     .text = "at {lon_deg:.4f}, {lat_deg:.4f} the route passes only {distance_m:distance} from land, closer "
+             "than the position error of {error_m:distance} there",
      .hint = "Lead the route farther from land (--via)",
      .slots = {{{"lon_deg", -60.25}, {"lat_deg", 69.5}, {"distance_m", 74.0}, {"error_m", 156.0}}}},
     {.code = "hardly-enough-speed",
@@ -239,7 +240,8 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
      .slots = {{{"agreement_pct", 1.0}}}},
     {.code = "alternative",
      .rank = Rank::note,
-     .text = "this route passes {side} of the {obstacle} at {lon_deg:.4f}, {lat_deg:.4f} ({extent_km:.0f} km "
+     .text = "this route passes {side} of the {obstacle} at {lon_deg:.4f}, {lat_deg:.4f} "
+             "({extent_km:distance} "
              "across). The best route passes on the other side. This route takes {more}",
      .slots = {{{"side", "south"},
                 {"obstacle", "land"},
@@ -249,18 +251,18 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
                 {"more", "3 h 12 min more"}}}},
     {.code = "nothing-to-go-round",
      .rank = Rank::note,
-     .text = "there is no alternative. Near the route lies no obstacle of {least_km:.1f} km or more that the "
-             "vehicle could pass on its other side",
+     .text = "there is no alternative. Near the route lies no obstacle of {least_km:distance} or more that "
+             "the vehicle could pass on its other side",
      .slots = {{{"least_km", 4.2}}}},
     {.code = "few-alternatives",
      .rank = Rank::note,
      .text = "fewer alternatives were found than requested. {tried} {tried:route|routes} on other sides of "
              "obstacles {tried:was|were} tried. The rejected routes are closed, take more than "
-             "{longest_h:.0f} h, or hardly differ from the others",
+             "{longest_h:duration}, or hardly differ from the others",
      .slots = {{{"tried", 4}, {"longest_h", 91.0}}}},
     {.code = "may-depart-later",
      .rank = Rank::note,
-     .text = "the vehicle may depart {later_h:.1f} h later, at {time}, and still arrive at the same time",
+     .text = "the vehicle may depart {later_h:duration} later, at {time}, and still arrive at the same time",
      .slots = {{{"later_h", 2.9}, {"time", "2027-01-12T18:00:00Z"}}}},
     {.code = "route-without-holds",
      .rank = Rank::caution,
@@ -313,8 +315,8 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
     // Times and areas.
     {.code = "early-arrival",
      .rank = Rank::note,
-     .text = "the plan arrives {early_h:.1f} h before the wanted arrival. No later departure was found that "
-             "arrives in time",
+     .text = "the plan arrives {early_h:duration} before the wanted arrival. No later departure was found "
+             "that arrives in time",
      .slots = {{{"early_h", 3.5}}}},
     {.code = "departures-not-all-planned",
      .rank = Rank::note,
@@ -324,7 +326,7 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
      .slots = {{{"departures", 48}, {"planned", 6}}}},
     {.code = "area-opens-just-before",
      .rank = Rank::caution,
-     .text = "after {under_way_h:.1f} h under way, the vehicle is at {lon_deg:.4f}, {lat_deg:.4f} only "
+     .text = "after {under_way_h:duration} under way, the vehicle is at {lon_deg:.4f}, {lat_deg:.4f} only "
              "{spare_min:.0f} min after an area there reopens ({changes}). A vehicle {error_pct:.0f} % "
              "faster than planned would break the rule of the area",
      .hint = "Depart later, or lead the route round the area",
@@ -336,7 +338,7 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
                 {"error_pct", 5.0}}}},
     {.code = "area-closes-just-after",
      .rank = Rank::caution,
-     .text = "after {under_way_h:.1f} h under way, the vehicle is at {lon_deg:.4f}, {lat_deg:.4f} only "
+     .text = "after {under_way_h:duration} under way, the vehicle is at {lon_deg:.4f}, {lat_deg:.4f} only "
              "{spare_min:.0f} min before an area there closes ({changes}). A vehicle {error_pct:.0f} % "
              "slower than planned would break the rule of the area",
      .hint = "Depart earlier, or lead the route round the area",
@@ -364,8 +366,8 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
      .slots = {{{"drawn_mj", 1.25}, {"missing_mj", 0.1}}}},
     {.code = "battery-too-small-for-escape",
      .rank = Rank::caution,
-     .text = "the escape route from waypoint {waypoint} needs {drawn_mj:.2f} MJ, but at that waypoint the "
-             "battery has only {left_mj:.2f} MJ above its reserve",
+     .text = "the escape route from waypoint {waypoint:label} needs {drawn_mj:.2f} MJ, but at that waypoint "
+             "the battery has only {left_mj:.2f} MJ above its reserve",
      .hint = "Start with a fuller battery, plan a route nearer to open water, or plan without escape routes "
              "(leave out --escape-plan)",
      .slots = {{{"waypoint", 3}, {"drawn_mj", 0.4}, {"left_mj", 0.25}}}},
@@ -412,7 +414,7 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
      .hint = "Another grid spacing (--spacing) may show larger isochrones"},
     {.code = "areas-beyond-battery",
      .rank = Rank::caution,
-     .text = "the battery has {usable_mj:.2f} MJ above its reserve, which last at most {lasts_h:.1f} h. "
+     .text = "the battery has {usable_mj:.2f} MJ above its reserve, which last at most {lasts_h:duration}. "
              "The vehicle cannot reach the isochrones of longer times",
      .hint = "Start with a fuller battery, or ask only for shorter times",
      .slots = {{{"usable_mj", 1.0}, {"lasts_h", 96.0}}}},

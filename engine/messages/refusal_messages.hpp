@@ -47,7 +47,7 @@ inline constexpr auto refusal_kinds = std::to_array<Kind>({
      .slots = {{{"room_m", 25.0}, {"margin_m", 10.0}}}},
     {.code = "too-long-without-surfacing",
      .rank = Rank::caution,
-     .text = "the vehicle would be without a place to surface for more than {bound_h:.4g} h",
+     .text = "the vehicle would be without a place to surface for more than {bound_h:duration}",
      .hint = "Allow more time (--max-time-without-surfacing) or surfacing in denser ice "
              "(--max-concentration-to-surface), or depart at another time",
      .slots = {{{"bound_h", 12.0}}}},
@@ -141,7 +141,7 @@ inline constexpr auto refusal_kinds = std::to_array<Kind>({
     {.code = "no-escape-in-time",
      .rank = Rank::caution,
      .text = "from this waypoint, no escape route of at most 200 grid steps reaches a place to surface "
-             "within the limit of {bound_h:.4g} h without surfacing",
+             "within the limit of {bound_h:duration} without surfacing",
      .hint = "Allow more time (--max-time-without-surfacing) or surfacing in denser ice "
              "(--max-concentration-to-surface), choose a larger grid spacing (--spacing), or plan without "
              "escape routes (leave out --escape-plan)",
@@ -212,13 +212,13 @@ inline constexpr auto refusal_kinds = std::to_array<Kind>({
      .slots = {{{"begin", "2027-01-11T00:00:00Z"}}}},
     {.code = "nearest-water",
      .rank = Rank::note,
-     .text = "the nearest water deep enough for the vehicle lies {distance_km:.3g} km to the {direction} of "
-             "{place}",
+     .text = "the nearest water deep enough for the vehicle lies {distance_km:distance} to the {direction} "
+             "of {place}",
      .slots = {{{"distance_km", 12.0}, {"direction", "east"}, {"place", "the goal"}}}},
     {.code = "no-water-near",
      .rank = Rank::note,
      .text = "in the search area, the nearest water deep enough for the vehicle lies more than "
-             "{distance_km:.0f} km from {place}",
+             "{distance_km:distance} from {place}",
      .hint = "Choose a place at sea; longitude comes first",
      .slots = {{{"distance_km", 100.0}, {"place", "the goal"}}}},
     {.code = "search-without-end",
@@ -232,7 +232,8 @@ inline constexpr auto refusal_kinds = std::to_array<Kind>({
      .hint = "Depart later, or leave out a via point"},
     {.code = "area-searched",
      .rank = Rank::note,
-     .text = "the search went up to {beside_km:.0f} km to either side of the direct line and beyond its ends",
+     .text = "the search went up to {beside_km:distance} to either side of the direct line and beyond its "
+             "ends",
      .slots = {{{"beside_km", 104.0}}}},
     {.code = "other-orders-tried",
      .rank = Rank::note,
@@ -258,11 +259,11 @@ inline constexpr auto phrase_kinds = std::to_array<Kind>({
     {.code = "an-iceberg", .rank = Rank::note, .text = "an iceberg"},
     {.code = "iceberg-with-margin",
      .rank = Rank::note,
-     .text = "{iceberg} at {time} (keep-out distance: hull + {margin_m:.0f} m margin)",
+     .text = "{iceberg} at {time} (keep-out distance: hull + {margin_m:distance} margin)",
      .slots = {{{"iceberg", "iceberg B-17"}, {"time", "2027-01-12T12:00:00Z"}, {"margin_m", 500.0}}}},
     {.code = "iceberg-with-margin-and-error",
      .rank = Rank::note,
-     .text = "{iceberg} at {time} (keep-out distance: hull + {margin_m:.0f} m margin + {error_m:.0f} m "
+     .text = "{iceberg} at {time} (keep-out distance: hull + {margin_m:distance} margin + {error_m:distance} "
              "position error)",
      .slots = {{{"iceberg", "iceberg B-17"},
                 {"time", "2027-01-12T12:00:00Z"},
@@ -275,14 +276,14 @@ inline constexpr auto phrase_kinds = std::to_array<Kind>({
     {.code = "for-good", .rank = Rank::note, .text = ", for the whole forecast"},
     {.code = "outside-of-data",
      .rank = Rank::note,
-     .text = "{distance_km:.3g} km {direction} of the stored {data} (area of the data near here: {area})",
+     .text = "{distance_km:distance} {direction} of the stored {data} (area of the data near here: {area})",
      .slots = {{{"distance_km", 12.0},
                 {"direction", "east"},
                 {"data", "bathymetry"},
                 {"area", "54° W to 50° W, 68° N to 70° N"}}}},
     {.code = "away-from-water-of-data",
      .rank = Rank::note,
-     .text = "{distance_km:.3g} km {direction} of the nearest water of the stored {data}, which is at "
+     .text = "{distance_km:distance} {direction} of the nearest water of the stored {data}, which is at "
              "{lon_deg:.4f}, {lat_deg:.4f}",
      .slots = {{{"distance_km", 12.0},
                 {"direction", "east"},

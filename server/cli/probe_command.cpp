@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "api/service/probe_service.hpp"
+#include "engine/core/shown_text.hpp"
 #include "engine/core/utc_text.hpp"
 #include "server/cli/program/command.hpp"
 #include "server/cli/program/flag_values.hpp"
@@ -70,9 +71,8 @@ void print_probe(const codec::Probe& probe) {
               << level.dataset_name << (level.station.empty() ? "" : ", " + level.station) << '\n';
   }
   for (const auto& near : probe.icebergs) {
-    std::cout << "iceberg   " << near.iceberg.id << ", " << std::setprecision(1)
-              << near.distance.value / 1000.0 << " km away, seen " << core::iso8601(near.iceberg.observed)
-              << '\n';
+    std::cout << "iceberg   " << near.iceberg.id << ", " << core::distance_text(near.distance)
+              << " away, seen " << core::iso8601(near.iceberg.observed) << '\n';
   }
   for (const auto& here : probe.zones) {
     const ocean::Zone& zone = here.zone;

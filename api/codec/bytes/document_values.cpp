@@ -1,8 +1,6 @@
 #include "api/codec/bytes/document_values.hpp"
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -60,15 +58,6 @@ messages::Message stored_message(const json& document) {
 }  // namespace
 
 std::string waypoint_label(std::size_t index) { return index == 0 ? "S" : std::to_string(index); }
-
-std::string distance_text(core::Metres distance) {
-  const bool is_short = std::round(distance.value) < 1000.0;
-  std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(),
-                is_short ? "%.0f m" : (distance.value < 1e5 ? "%.1f km" : "%.0f km"),
-                is_short ? distance.value : distance.value / 1000.0);
-  return text.data();
-}
 
 double document_degrees(double degrees) { return std::round(degrees * 1e7) / 1e7; }
 

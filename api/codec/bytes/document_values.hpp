@@ -16,9 +16,6 @@ namespace floeplan::codec {
 /// the JSON documents, and the row numbers of waypoint lists, which do not contain the start.
 [[nodiscard]] std::string waypoint_label(std::size_t index);
 
-/// A distance as the map shows it: "812 m" below a kilometre, "3.2 km", "142 km" from 100 km on.
-[[nodiscard]] std::string distance_text(core::Metres distance);
-
 /// A longitude or latitude rounded to 1e-7 degrees (1 cm).
 [[nodiscard]] double document_degrees(double degrees);
 /// The time in ISO 8601; null if there is none.

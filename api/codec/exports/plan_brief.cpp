@@ -15,6 +15,7 @@
 #include "api/codec/bytes/document_values.hpp"
 #include "api/codec/bytes/xml_text.hpp"
 #include "api/fields/process_fields.hpp"
+#include "engine/core/shown_text.hpp"
 #include "engine/core/utc_text.hpp"
 #include "engine/messages/sentence.hpp"
 
@@ -44,7 +45,7 @@ std::string number(std::optional<double> value, int decimals, double factor = 1.
 }
 
 std::string distance(const std::optional<core::Metres>& known) {
-  return known ? distance_text(*known) : "not known";
+  return known ? core::distance_text(*known) : "not known";
 }
 
 constexpr const char* style =
@@ -113,12 +114,12 @@ std::string safe_places_fact(const std::vector<geo::LonLat>& places) {
 std::vector<std::string> ice_facts(const planning::Plan& plan) {
   if (!plan.surfacing) return {};
   const auto below = planning::time_below_ice(*plan.surfacing);
-  return {"Below ice or icebergs: " + number(bare(planning::length_below_ice(*plan.surfacing)), 1, 1e-3) +
-          " km, " + number(below ? std::optional{below->count()} : std::nullopt, 1, 1.0 / 3600.0) +
-          " h. Longest time without a place to surface: " +
-          number(plan.surfacing->longest_without.count() / 3600.0, 1) +
-          " h. Sea ice unknown: " + number(plan.surfacing->unknown_ice.value, 1, 1e-3) +
-          " km. Planned surfacings: " + std::to_string(plan.surfacing->surfacings.size()) + "."};
+  return {"Below ice or icebergs: " + distance(planning::length_below_ice(*plan.surfacing)) + ", " +
+          (below ? core::hours_minutes(*below) : "-") +
+          ". Longest time without a place to surface: " +
+          core::hours_minutes(plan.surfacing->longest_without) +
+          ". Sea ice unknown: " + distance(plan.surfacing->unknown_ice) +
+          ". Planned surfacings: " + std::to_string(plan.surfacing->surfacings.size()) + "."};
 }
 
 /// The label of each setting in the forms of the desk, by its flag.
@@ -200,8 +201,8 @@ std::vector<std::vector<std::string>> brief_rows(const planning::Plan& plan) {
 std::vector<std::string> brief_facts(const planning::Plan& plan, const BriefNotes& notes) {
   std::vector<std::string> facts{
       "Vehicle " + plan.vehicle + ". Departure " + core::iso8601(plan.departure) + ", arrival " +
-          core::iso8601(plan.arrival) + ": " + number(plan.travel_time().count() / 3600.0, 1) + " h, " +
-          number(plan.distance.value / 1000.0, 1) + " km.",
+          core::iso8601(plan.arrival) + ": " + core::hours_minutes(plan.travel_time()) + ", " +
+          distance(plan.distance) + ".",
       "Least distance to icebergs " + distance(plan.clearances.iceberg) +
           (plan.clearances.nearest_iceberg.empty() ? "" : " (" + plan.clearances.nearest_iceberg + ")") +
           ", to land " + distance(plan.clearances.land) + ", to the sea bed " +

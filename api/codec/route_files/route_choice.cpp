@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
+#include "engine/core/shown_text.hpp"
 #include "engine/geo/geodesic.hpp"
 #include "engine/messages/fault.hpp"
 
@@ -88,11 +88,8 @@ bool lies_between(geo::LonLat from, geo::LonLat place, geo::LonLat to) {
          std::abs(std::lerp(from.lat_deg, to.lat_deg, share) - place.lat_deg) <= same_place_deg;
 }
 
-std::string kilometres_between(geo::LonLat a, geo::LonLat b) {
-  const double km = geo::geodesic_between(a, b).length.value / 1000.0;
-  char text[32];
-  std::snprintf(text, sizeof text, km < 10.0 ? "%.2f km" : "%.0f km", km);
-  return text;
+std::string distance_between(geo::LonLat a, geo::LonLat b) {
+  return core::distance_text(geo::geodesic_between(a, b).length);
 }
 
 /// Joins all parts of a route; a gap is a violation or a warning, by `Gaps`.
@@ -113,7 +110,7 @@ RouteFile joined(const NamedRoute& route, core::Violations& faults) {
     } else if (!line.places.empty()) {
       const std::string between = "between parts " + std::to_string(number - 1) + " and " +
                                   std::to_string(number) + " of " + subject + " lies a gap of " +
-                                  kilometres_between(line.places.back(), part.front());
+                                  distance_between(line.places.back(), part.front());
       if (route.gaps == Gaps::refused) {
         core::note(faults, messages::fault<"route-with-a-gap">("file", between));
       } else {

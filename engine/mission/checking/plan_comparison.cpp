@@ -103,7 +103,7 @@ class Comparison {
         hold_time(hold_flight(plan_, at, holds_),
                   {.axis = hold.axis, .apart = hold.apart, .radius = hold.radius, .legs = hold.legs});
     if (time && std::abs(*time / wait - 1.0) <= same_hold) return;
-    const std::string takes = time ? print("about %.1f h", hours(*time)) : std::string{"hours longer"};
+    const std::string takes = time ? "about " + core::hours_minutes(*time) : std::string{"hours longer"};
     differ(list, 0, messages::mission_check_message<"hold_of_other_length">(hold.legs, takes, hours(wait)));
   }
 

@@ -67,11 +67,14 @@ std::string difference(const planning::Plan& plan, const planning::Plan& flown) 
   const double drawn_j = flown.energy ? flown.energy->use.total().value : 0.0;
   const bool is_drawn = planned_j > 0.0 && std::abs(drawn_j - planned_j) > same_energy * planned_j;
   if (!is_timed && !is_drawn) return "";
+  const std::string arrival =
+      is_timed ? "arrives at " + core::iso8601(flown.arrival) + ", " +
+                     core::hours_minutes(core::Seconds{std::abs(later.count())}) +
+                     (later.count() < 0.0 ? " earlier" : " later") + " than planned, and "
+               : "";
   char text[160];
-  std::snprintf(text, sizeof text,
-                "the vehicle arrives at %s, %.1f h %s than planned, and draws %.2f MJ instead of %.2f MJ",
-                core::iso8601(flown.arrival).c_str(), std::abs(later.count()) / 3600.0,
-                later.count() < 0.0 ? "earlier" : "later", drawn_j / 1e6, planned_j / 1e6);
+  std::snprintf(text, sizeof text, "the vehicle %sdraws %.2f MJ instead of %.2f MJ", arrival.c_str(),
+                drawn_j / 1e6, planned_j / 1e6);
   return text;
 }
 

@@ -1,8 +1,8 @@
 #include "engine/mission/document/hold_order.hpp"
 
-#include <cmath>
 #include <string_view>
 
+#include "engine/core/shown_text.hpp"
 #include "engine/core/utc_text.hpp"
 #include "engine/geo/geodesic.hpp"
 #include "engine/mission/document/behavior_values.hpp"
@@ -41,7 +41,7 @@ std::string hold_text(const HoldOrder& hold) {
   const std::string legs =
       hold.legs < 0 ? std::string{"without end"} : "with " + std::to_string(hold.legs) + " legs";
   std::string text = "the list holds station " + legs + " between two rows " +
-                     std::to_string(std::lround(hold.apart.value)) + " m apart";
+                     core::distance_text(hold.apart) + " apart";
   if (hold.planned)
     text += ", planned from " + core::iso8601(hold.planned->from) + " until " +
             core::iso8601(hold.planned->until);

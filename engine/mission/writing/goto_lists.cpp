@@ -141,13 +141,13 @@ std::optional<messages::Message> message_of_end(const planning::Plan& plan, cons
       const core::Metres error = error_of(plan, list.part);
       if (error <= far_off) return std::nullopt;
       return messages::export_message<"list-ends-far-off">(list.file_name, last,
-                                                           std::ceil(error.value / 1000.0));
+                                                           error.value / 1000.0);
     }
     if (!end) return messages::export_message<"list-ends-after-ice-of-earlier-version">(list.file_name, last);
     const std::string room = text_of(*end, list.radius);
     if (end->sure_room() <= list.radius) {
       return messages::export_message<"list-may-end-below-ice">(list.file_name, last, room,
-                                                                std::ceil((list.radius + end->error).value));
+                                                                told_upwards(list.radius + end->error).value);
     }
     if (!passes_below(plan, list.part)) return std::nullopt;
     return messages::export_message<"list-ends-beside-ice">(list.file_name, last, room);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 
+#include "engine/core/shown_text.hpp"
 #include "engine/messages/mission_fault_messages.hpp"
 #include "engine/mission/writing/below_ice.hpp"
 #include "engine/mission/writing/hold_lists.hpp"
@@ -191,7 +192,7 @@ std::size_t last_of_list(const planning::Plan& plan, std::size_t first, std::siz
 /// `is_end`: the end of the plan.
 core::Violation end_too_near(const std::string& place, const ListEnd& end, core::Metres radius, bool is_end) {
   const std::string room = text_of(end, radius);
-  const double beyond_m = std::ceil(radius.value);
+  const double beyond_m = told_upwards(radius).value;
   return is_end ? messages::mission_fault<"plan-ends-near-ice">(place, room, beyond_m)
                 : messages::mission_fault<"list-ends-near-ice">(place, room, beyond_m);
 }
@@ -263,18 +264,20 @@ std::string text_of(const ListEnd& end, core::Metres radius) {
   std::string text;
   const auto add = [&](const std::optional<core::Metres>& beyond, const char* what) {
     if (beyond)
-      text += (text.empty() ? "" : " and ") + std::to_string(std::lround(beyond->value)) + " m beyond the " +
-              what;
+      text += (text.empty() ? "" : " and ") + core::distance_text(*beyond) + " beyond the " + what;
   };
   add(end.beyond_ice, "ice");
   add(end.beyond_iceberg, "iceberg");
   if (end.from_ice)
-    text += (text.empty() ? "" : " and ") + std::to_string(std::lround(end.from_ice->value)) +
-            " m from the nearest ice";
-  text += " (waypoint radius " + std::to_string(std::lround(radius.value)) + " m";
-  if (end.beyond_ice || end.from_ice)
-    text += ", position error " + std::to_string(std::lround(end.error.value)) + " m";
+    text += (text.empty() ? "" : " and ") + core::distance_text(*end.from_ice) + " from the nearest ice";
+  text += " (waypoint radius " + core::distance_text(radius);
+  if (end.beyond_ice || end.from_ice) text += ", position error " + core::distance_text(end.error);
   return text + ")";
+}
+
+core::Metres told_upwards(core::Metres least) {
+  const double step_m = least.value < 1000.0 ? 1.0 : 100.0;
+  return {step_m * std::ceil(least.value / step_m)};
 }
 
 std::vector<ListPart> part_into_lists(const planning::Plan& plan, const ListRules& rules) {

@@ -65,8 +65,11 @@ struct ListEnd {
 /// versions.
 [[nodiscard]] std::optional<ListEnd> end_of(const planning::Plan& plan, const ListPart& part);
 
-/// Text such as "45 m beyond the ice (waypoint radius 500 m, position error 1650 m)".
+/// Text such as "45 m beyond the ice (waypoint radius 500 m, position error 1.6 km)".
 [[nodiscard]] std::string text_of(const ListEnd& end, core::Metres radius);
+
+/// A distance for advice of "more than", rounded up to what `core::distance_text` shows of it.
+[[nodiscard]] core::Metres told_upwards(core::Metres least);
 
 /// Divides the plan's waypoints after the start into lists of at most `max_waypoints` rows. Each is as long
 /// as possible but ends where the vehicle may surface, because the mission surfaces it there. The end is

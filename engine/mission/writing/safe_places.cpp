@@ -155,7 +155,7 @@ SafePlaceFindings check_safe_places(const planning::Plan& plan, const vehicle::G
     for (const ocean::Iceberg& berg : safe.sea.icebergs) {
       found.messages.push_back(
           messages::export_message<"iceberg-near-safe-place">(
-              berg.id, std::ceil(away(berg, safe.place).value / 1000.0), place_text(safe.place))
+              berg.id, away(berg, safe.place).value / 1000.0, place_text(safe.place))
               .at(safe.place));
     }
     if (bed && ice.known) continue;

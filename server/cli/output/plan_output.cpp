@@ -10,6 +10,7 @@
 
 #include "api/codec/bytes/document_values.hpp"
 #include "api/codec/documents/alternative_document.hpp"
+#include "engine/core/shown_text.hpp"
 #include "server/cli/program/command.hpp"
 #include "storage/json/json.hpp"
 
@@ -219,7 +220,7 @@ std::vector<std::string> clearance_lines(const json& plan) {
     const json& clearance = clearances.at(name);
     if (!clearance.is_number()) continue;
     known += (known.empty() ? "least distance " : ", ") + std::string{"to "} + to + ' ' +
-             codec::distance_text(core::Metres{clearance.get<double>()});
+             core::distance_text(core::Metres{clearance.get<double>()});
   }
   std::vector<std::string> lines;
   if (!known.empty()) lines.push_back(std::move(known));

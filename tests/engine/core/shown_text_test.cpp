@@ -75,5 +75,12 @@ TEST(ShortenedList, NamesTenAndCountsTheOthers) {
             "1, 2, 3, 4, 5, 6, 7, 8, 9, 10 and 2 more");
 }
 
+TEST(DistanceText, IsInMetresBelowOneKilometre) {
+  EXPECT_EQ(distance_text(Metres{136.4}), "136 m");
+  EXPECT_EQ(distance_text(Metres{999.6}), "1.0 km");
+  EXPECT_EQ(distance_text(Metres{8260.0}), "8.3 km");
+  EXPECT_EQ(distance_text(Metres{142'300.0}), "142 km");
+}
+
 }  // namespace
 }  // namespace floeplan::core::shown_text_test

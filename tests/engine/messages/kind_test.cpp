@@ -11,6 +11,10 @@ inline constexpr auto kinds = std::to_array<Kind>({
      .text = "on {legs} {legs:leg|legs} of {vehicle} the speed falls to {least_m_s:.2f} m/s at {time}",
      .hint = "depart before {time}",
      .slots = {{{"legs", 2}, {"vehicle", "a glider"}, {"least_m_s", 0.1}, {"time", "2027-01-12T06:00:00Z"}}}},
+    {.code = "far-and-late",
+     .text = "{ice_km:distance} and {bed_m:distance} away, {late_h:duration} late of {limit_h:duration}",
+     .slots = {{{"ice_km", 0.136}, {"bed_m", 8260.0}, {"late_h", 14.73}, {"limit_h", 30.0}}}},
+    {.code = "at-waypoint", .text = "at waypoint {waypoint:label}", .slots = {{{"waypoint", 3}}}},
     {.code = "no-ice", .rank = Rank::note, .text = "there is no ice", .hint = "Ingest some"},
 });
 
@@ -32,6 +36,17 @@ TEST(Message, SaysOneInTheSingular) {
   const Message message = make_message<kinds, "slow-legs">(1, "B-17", 0.5, "noon");
 
   EXPECT_THAT(message.text, testing::StartsWith("on 1 leg of B-17"));
+}
+
+TEST(Message, SaysDistancesAndDurationsInOneForm) {
+  const Message message = make_message<kinds, "far-and-late">(0.136, 8260.0, 14.73, 30.0);
+
+  EXPECT_EQ(message.text, "136 m and 8.3 km away, 14 h 44 min late of 30 h");
+}
+
+TEST(Message, NamesWaypointsAsTheMap) {
+  EXPECT_EQ((make_message<kinds, "at-waypoint">(0).text), "at waypoint S");
+  EXPECT_EQ((make_message<kinds, "at-waypoint">(3).text), "at waypoint 3");
 }
 
 TEST(Message, TakesWordsForWhatTheyAre) {

@@ -34,13 +34,13 @@ function labelOfPointer(pointer: string, outer: string, inner?: string): string 
 /** The name of an input, which has two words or more, inside a sentence. */
 const nameOfInput = /\b[a-z]+(?:_[a-z0-9]+)+\b/g;
 
-/** A time in hours in the server's sentences, but not of "2 h 40 min". */
-const hoursInText = /\b(\d+(?:\.\d+)?) h\b(?! \d)/g;
+/** A time in hours in the server's sentences: "57.1 h", "57 h 05 min". */
+const hoursInText = /\b(\d+(?:\.\d+)?) h\b(?: (\d\d) min\b)?(?! \d)/g;
 
-/** As the figures of the page have it: "2 d 09 h" for "57.1 h"; whole hours of a day stay as they are. */
-const hoursInWords = (_: string, figure: string): string => {
+/** As the figures of the page have it: "2 d 09 h"; whole hours of a day stay as they are. */
+const hoursInWords = (_: string, figure: string, minutes?: string): string => {
   const hours = Number(figure);
-  return hours < 24 && Number.isInteger(hours) ? `${hours} h` : duration(3600 * hours);
+  return minutes === undefined && hours < 24 && Number.isInteger(hours) ? `${hours} h` : duration(3600 * hours + 60 * Number(minutes ?? 0));
 };
 
 /** The label of the field of the set-up or of the export that a flag of the command line is for. */

@@ -19,7 +19,7 @@ export function distance(metres: number | null | undefined, greatest_m?: number)
     const miles = metres / metresPerNauticalMile;
     return `${miles.toFixed(scale_m < 10 * metresPerNauticalMile ? 2 : 1)} NM`;
   }
-  if (scale_m < 1000) return `${Math.round(metres)} m`;
+  if (Math.round(scale_m) < 1000) return `${Math.round(metres)} m`;
   return `${(metres / 1000).toFixed(scale_m < 1e5 ? 1 : 0)} km`;
 }
 

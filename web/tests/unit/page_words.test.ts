@@ -34,6 +34,7 @@ it('turns every flag of the messages that reach the page into a field', () => {
 
 it('gives times the form of the figures of the page', () => {
   expect(inPageWords('no place to surface for 57.1 h, not for 17 h')).toBe('no place to surface for 2 d 09 h, not for 17 h');
+  expect(inPageWords('for 57 h 05 min, at most 14 h 44 min')).toBe('for 2 d 09 h, at most 14 h 44 min');
   expect(inPageWords('the limit of 12.0 h')).toBe('the limit of 12 h');
   expect(inPageWords('This route takes 0.1 h more')).toBe('This route takes 6 min more');
   expect(inPageWords('takes 3.2 h more')).toBe('takes 3 h 12 min more');

@@ -343,7 +343,7 @@ TEST(PlanBrief, TellsWhereThePlanIsBelowIceAndMaySurface) {
   EXPECT_EQ(picture.escapes.size(), 1U) << "where it may surface at once there is none";
   EXPECT_THAT(
       html,
-      HasSubstr("Below ice or icebergs: 5.9 km, 1.2 h. Longest time without a place to surface: 1.5 h."));
+      HasSubstr("Below ice or icebergs: 5.9 km, 1 h 15 min. Longest time without a place to surface: 1 h 30 min."));
   EXPECT_THAT(html, HasSubstr("<td>yes</td><td>-</td></tr>"));
   EXPECT_THAT(html, HasSubstr("<td>no</td><td>17</td></tr>"));
   EXPECT_THAT(

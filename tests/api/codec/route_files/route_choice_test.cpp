@@ -293,7 +293,7 @@ TEST(RouteGaps, AtTheAntimeridianAreNone) {
       << "the route bends there";
   EXPECT_THAT(
       fault_of("a.geojson", lines({{{179.8, 68.0}, {180.0, 68.0}}, {{-180.0, 68.1}, {-179.8, 68.05}}})),
-      HasSubstr("a gap of 11 km"));
+      HasSubstr("a gap of 11.2 km"));
 }
 
 TEST(RouteGaps, OfAMetreAtTheAntimeridianAreNone) {

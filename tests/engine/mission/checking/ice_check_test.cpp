@@ -134,7 +134,7 @@ TEST(IceCheck, RejectsSurfacingsBelowIce) {
               says("surfaces_below_ice", Severity::error, 9, "surfac10.ma orders a surfacing at this"));
   EXPECT_THAT(every[1].messages, says("surfaces_below_ice", Severity::error, 3, "legs 2 to 3 of the route"));
   EXPECT_THAT(silent[1].messages,
-              says("surfaces_below_ice", Severity::error, 3, "after 3.0 h without contact"));
+              says("surfaces_below_ice", Severity::error, 3, "after 3 h without contact"));
   EXPECT_THAT(patient[1].messages, says_nothing_of("surfaces_below_ice"));
   EXPECT_THAT(science[1].messages, says("surfaces_below_ice", Severity::warning, 3, "at any time"));
   EXPECT_THAT(done[1].messages, says_nothing_of("surfaces_below_ice"));

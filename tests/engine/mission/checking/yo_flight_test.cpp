@@ -82,7 +82,7 @@ TEST(YoFlight, TellsTheTimesAndTheDrawThatAreNotThePlans) {
   EXPECT_GT(flown.travel_time(), 1.3 * plan.travel_time()) << "a sea in which it matters";
   EXPECT_THAT(flight.violations, IsEmpty());
   EXPECT_THAT(messages::sentences(flight.messages),
-              ElementsAre(AllOf(HasSubstr("h later than planned"), HasSubstr("--climb-to 90"))));
+              ElementsAre(AllOf(HasSubstr(" min later than planned"), HasSubstr("--climb-to 90"))));
 }
 
 TEST(YoFlight, IsRefusedWhereItEmptiesTheBatteryThatCarriesThePlan) {

@@ -359,7 +359,7 @@ TEST(GotoLists, SayHowFarOffTheVehicleMayComeUpWhereNoIceIsKnown) {
   planning::Plan plan = plan_below_ice(3, {});
   for (std::size_t i = 0; i < 3; ++i)
     plan.surfacing->waypoints[i].error_without_fix = core::Metres{4000.0 * static_cast<double>(i)};
-  const auto says = Contains(HasSubstr("position error of 8 km. Make sure"));
+  const auto says = Contains(HasSubstr("position error of 8.0 km. Make sure"));
   EXPECT_THAT(messages::sentences(write_goto_lists(plan, {})->messages), says);
 
   plan.surfacing->waypoints[2].error_without_fix = core::Metres{4500.0};
@@ -383,8 +383,8 @@ TEST(GotoLists, CountTheErrorSinceTheLastFixOfTheMission) {
 
   EXPECT_THAT(messages::sentences(write_goto_lists(plan, {})->messages), says) << "no fix on the way";
   EXPECT_THAT(told(3600.0), testing::Not(says));
-  EXPECT_THAT(told(50'400.0), Contains(HasSubstr("with a position error of 6 km"))) << "1.4 of 2 legs";
-  EXPECT_THAT(told(90'000.0), Contains(HasSubstr("with a position error of 8 km"))) << "longer than the list";
+  EXPECT_THAT(told(50'400.0), Contains(HasSubstr("with a position error of 5.6 km"))) << "1.4 of 2 legs";
+  EXPECT_THAT(told(90'000.0), Contains(HasSubstr("with a position error of 8.0 km"))) << "longer than the list";
 }
 
 /// After a fix the vehicle knows the current that it met before it.
@@ -429,7 +429,7 @@ TEST(GotoLists, SayHowMuchLongerTheVehicleIsUnderWayByItsOwnReckoning) {
 
   ASSERT_TRUE(lists.has_value());
   EXPECT_THAT(messages::sentences(lists->messages),
-              Contains(HasSubstr("goto_l11.ma may take 5.6 h longer than planned")));
+              Contains(HasSubstr("goto_l11.ma may take 5 h 33 min longer than planned")));
   EXPECT_THAT(messages::sentences(lists->messages),
               testing::Not(Contains(HasSubstr("goto_l10.ma may be flown"))));
 }
@@ -458,7 +458,7 @@ TEST(GotoLists, CountWhatTheCurrentsOfThePlanCarryTheVehicle) {
   const auto each = write_goto_lists(plan, {.max_waypoints = 1, .may_end_below_ice = true});
 
   ASSERT_TRUE(once && each);
-  EXPECT_THAT(messages::sentences(once->messages), Contains(HasSubstr("position error 1600 m")))
+  EXPECT_THAT(messages::sentences(once->messages), Contains(HasSubstr("position error 1.6 km")))
       << "600 m, and 20,000 s at 0.05 m/s";
   EXPECT_THAT(messages::sentences(each->messages), testing::Not(Contains(HasSubstr("position error 1600 m"))))
       << "the second list begins where the current of the first one is known";
@@ -473,7 +473,7 @@ TEST(GotoLists, CountThatTheVehicleGoesOnUntilItTakesItselfToBeThere) {
   const auto lists = write_goto_lists(plan, {});
 
   ASSERT_TRUE(lists.has_value());
-  EXPECT_THAT(messages::sentences(lists->messages), Contains(HasSubstr("position error 10600 m")))
+  EXPECT_THAT(messages::sentences(lists->messages), Contains(HasSubstr("position error 10.6 km")))
       << "40,000 s at 0.25 m/s, and 600 m";
 }
 

@@ -123,6 +123,8 @@ TEST(HoldLists, BeginThePlanWhereItHoldsAtItsStart) {
   ASSERT_TRUE(hold_order(lists[0]).has_value());
   EXPECT_LT(geo::geodesic_between(hold_order(lists[0])->place, through_a_strait[0]).length.value, 1.0);
   EXPECT_EQ(lists[1].waypoints.size(), 2U);
+  EXPECT_THAT(messages::sentences(written->messages),
+              testing::Contains(testing::HasSubstr("holds station at waypoint S with")));
 }
 
 TEST(HoldLists, GoRoundForEverWhereCountedLegsWouldEndHoursOff) {

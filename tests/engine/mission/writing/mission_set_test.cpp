@@ -283,7 +283,7 @@ TEST(MissionSet, WithSafePlacesAndNoIceOnItsRouteSurfacesAsInOpenWater) {
   }
   EXPECT_THAT(names_of(*with), Contains("goto_l98.ma"));
   EXPECT_THAT(messages::sentences(with->messages),
-              Contains(HasSubstr("below no ice, so the mission surfaces at every waypoint and every 3.0 h")));
+              Contains(HasSubstr("below no ice, so the mission surfaces at every waypoint and every 3 h")));
   EXPECT_THAT(messages::sentences(with->messages), Not(Contains(HasSubstr("not in the files"))));
   EXPECT_THAT(messages::sentences(without_data->messages), Contains(HasSubstr("without data on sea ice")));
   EXPECT_THAT(names_of(*with_gaps), Not(Contains("surfac13.ma"))) << "nothing is known of the ice somewhere";
@@ -307,7 +307,7 @@ TEST(MissionSet, UnderIceWaitsForContactLongerThanThePlanTakesAndTellsTheLongest
   ASSERT_TRUE(set.has_value());
   EXPECT_EQ(value_of(read_of(*set, "surfac10.ma"), "when_secs"), 50.0 * 3600.0);
   EXPECT_THAT(messages::sentences(set->messages),
-              Contains(HasSubstr("A list takes 20.0 h below ice without contact")));
+              Contains(HasSubstr("A list takes 20 h below ice without contact")));
 }
 
 TEST(MissionSet, OfAPlanUnderAnIcebergTurnsBelowItsKeelAndNeedsTheRulesUnderIce) {

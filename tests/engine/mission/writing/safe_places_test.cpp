@@ -152,7 +152,7 @@ TEST(SafePlaces, AreNotBelowIcebergsAndSayWhichAreNear) {
   const SafePlaceFindings near = findings(plan, {refuge, open});
   EXPECT_THAT(near.violations, IsEmpty());
   EXPECT_THAT(messages::sentences(near.messages),
-              ElementsAre(HasSubstr("Iceberg B1 was seen within 3 km of the safe place")));
+              ElementsAre(HasSubstr("Iceberg B1 was seen within 2.2 km of the safe place")));
 }
 
 }  // namespace

@@ -199,7 +199,7 @@ TEST(SeagliderSet, SaysWhatThePilotHasToDoWhereThePlanHolds) {
   const auto set = write_seaglider_set(plan, {});
 
   ASSERT_TRUE(set.has_value());
-  EXPECT_THAT(messages::sentences(set->messages), Contains(HasSubstr("holds for 2.7 h at waypoint 1")));
+  EXPECT_THAT(messages::sentences(set->messages), Contains(HasSubstr("holds for 2 h 40 min at waypoint 1")));
 }
 
 TEST(SeagliderSet, RefusesWhatNoSeagliderTakes) {
