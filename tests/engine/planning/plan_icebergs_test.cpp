@@ -150,7 +150,7 @@ TEST(PlanAmongIcebergs, CannotBeginInsideADiscAndNamesTheBerg) {
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().reason, Reason::start_near_iceberg);
   EXPECT_NE(result.error().explanation().find("B-17"), std::string::npos) << result.error().explanation();
-  EXPECT_NE(result.error().explanation().find("3000 m position error"), std::string::npos)
+  EXPECT_NE(result.error().explanation().find("3.0 km position error"), std::string::npos)
       << result.error().explanation();
 }
 
