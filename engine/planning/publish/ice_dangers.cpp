@@ -80,10 +80,10 @@ void tell_of_long_below_ice(Plan& plan, const PlanRequest& request) {
 /// then longer by an hour.
 void tell_of_missed_leads(Plan& plan, const PlanRequest& request) {
   const core::Seconds sure = plan.surfacing->longest_without_sure;
-  const auto whole_hours = [](core::Seconds time) { return std::round(time.count() / 3600.0); };
-  const double sure_h = whole_hours(sure);
-  const double longest_h = whole_hours(plan.surfacing->longest_without);
-  if (request.under_ice.max_time_without_surfacing || sure <= longest_out_of_contact || sure_h <= longest_h)
+  const double sure_h = sure.count() / 3600.0;
+  const double longest_h = plan.surfacing->longest_without.count() / 3600.0;
+  if (request.under_ice.max_time_without_surfacing || sure <= longest_out_of_contact ||
+      std::round(sure_h) <= std::round(longest_h))
     return;
   plan.messages.push_back(messages::plan_message<"longer-below-ice-without-leads">(sure_h, longest_h));
   plan.messages.back().place = plan.surfacing->missed_lead;

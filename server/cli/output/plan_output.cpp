@@ -11,6 +11,7 @@
 #include "api/codec/bytes/document_values.hpp"
 #include "api/codec/documents/alternative_document.hpp"
 #include "engine/core/shown_text.hpp"
+#include "engine/core/utc_text.hpp"
 #include "server/cli/program/command.hpp"
 #include "storage/json/json.hpp"
 
@@ -38,6 +39,10 @@ std::string cell(const json& value, const char* format, double factor = 1.0) {
   return text.data();
 }
 
+std::string duration(const json& seconds) {
+  return seconds.is_number() ? core::hours_minutes(core::Seconds{seconds.get<double>()}) : "-";
+}
+
 std::string label(const json& index) { return codec::waypoint_label(index.get<std::size_t>()); }
 
 void print_table(const json& plan) {
@@ -62,7 +67,7 @@ std::vector<std::string> wait_lines(const json& plan) {
   for (const json& waypoint : plan.at("waypoints")) {
     if (waypoint.value("wait_s", 0.0) < worth_a_line_s) continue;
     lines.push_back("hold at waypoint " + label(waypoint.at("index")) + " for " +
-                    cell(waypoint.at("wait_s"), "%.2f h", 1.0 / 3600.0));
+                    duration(waypoint.at("wait_s")));
   }
   return lines;
 }
@@ -142,10 +147,10 @@ std::vector<std::string> ice_lines(const json& plan) {
   if (surfacing.is_null()) return {};
   std::vector<std::string> lines;
   if (const json below_m = surfacing.value("below_ice_m", json()); below_m.is_number() && below_m > 0.0)
-    lines.push_back("below ice or icebergs for " + cell(below_m, "%.1f km", 1e-3) + ", " +
-                    cell(surfacing.at("below_ice_s"), "%.2f h", 1.0 / 3600.0));
+    lines.push_back("below ice or icebergs for " + core::distance_text(core::Metres{below_m.get<double>()}) +
+                    ", " + duration(surfacing.at("below_ice_s")));
   if (const json& longest_s = surfacing.at("longest_without_surfacing_s"); longest_s > 0.0)
-    lines.push_back("longest time between places to surface " + cell(longest_s, "%.2f h", 1.0 / 3600.0));
+    lines.push_back("longest time between places to surface " + duration(longest_s));
   double deepest_m = 0.0;
   for (const json& waypoint : plan.at("waypoints")) {
     if (const json turn = waypoint.value("leg_upper_turn_m", json()); turn.is_number())

@@ -153,6 +153,43 @@ test('a message names a waypoint as the map, the panel and the brief do', async 
   await request.delete(`/collections/plans/items/${plan.plan_id}`);
 });
 
+test('figures of a plan are the same in the panel, in its messages, in both briefs and on the command line', async ({ page, request, server }) => {
+  const inputs = {
+    from: [-53.1, 68.96], to: [-51.85, 68.96], depart: '2026-11-22T00:00:00Z', spacing_m: 2500, icebergs: 'none', name: 'In figures',
+    under_ice: { escape_plan: true, surfacing_interval_s: 7200 },
+  };
+  const answer = await request.post('/processes/plan-route/execution', { data: { inputs }, headers: { Prefer: 'respond-sync' } });
+  const { plan } = (await answer.json()) as { plan: Plan };
+  await open(page);
+  await page.getByRole('button', { name: /^Plans/ }).click();
+  await page.locator('.plan-choose', { hasText: 'In figures' }).click();
+  const figure = (label: string): Promise<string> =>
+    page.locator('.figures-grid div').filter({ has: page.getByText(label, { exact: true }) }).locator('dd').innerText();
+  const [longest, below, land, distance] = [
+    await figure('Longest without a place to surface'), await figure('Below ice'), await figure('Nearest land'), await figure('Distance'),
+  ];
+  expect(longest).toMatch(/^\d+ h \d\d min$/);
+  for (const length of [below, land, distance]) expect(length).toMatch(/^\d+\.\d km$/);
+
+  await expect(page.getByRole('region', { name: 'Dangers' })).toContainText(`below ice for ${longest} without a place to surface`);
+  const html = await (await request.get(`/collections/plans/items/${plan.plan_id}/mission.html`)).text();
+  for (const brief of [html, (await pdfOf(request, plan)).join(' ')]) {
+    expect(brief).toContain(`Longest time without a place to surface: ${longest}`);
+    expect(brief).toContain(`Below ice or icebergs: ${below}`);
+    expect(brief).toContain(`to land ${land}`);
+    expect(brief).toMatch(new RegExp(`, ${distance}\\.`));
+  }
+  const printed = server.run(
+    'plan', '--from=-53.1,68.96', '--to=-51.85,68.96', '--depart', inputs.depart, '--spacing', '2500', '--icebergs', 'none',
+    '--surfacing-interval', 'PT2H', '--escape-plan',
+  );
+  expect(printed).toContain(`longest time between places to surface ${longest}`);
+  expect(printed).toContain(`below ice or icebergs for ${below}`);
+  expect(printed).toContain(`least distance to land ${land}`);
+  expect(printed).toContain(distance);
+  await request.delete(`/collections/plans/items/${plan.plan_id}`);
+});
+
 async function pdfOf(request: APIRequestContext, { plan_id }: Plan): Promise<string[]> {
   const answer = await request.get(`/collections/plans/items/${plan_id}/mission.pdf?accept_dangers=true`);
   return textsOf(await answer.body());

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "engine/core/utc_text.hpp"
 #include "tests/server/cli/program.hpp"
 
 namespace floeplan::cli::under_ice_test {
@@ -107,7 +108,7 @@ TEST_F(UnderIceCli, SaysInEveryOutputHowLongItIsBelowIce) {
     return std::string{text.data()};
   };
   const std::string km = figure(sum_m / 1000.0, "%.1f km, ");
-  const std::string hours = figure(surfacing["below_ice_s"].get<double>() / 3600.0, "%.2f h");
+  const std::string hours = core::hours_minutes(core::Seconds{surfacing["below_ice_s"].get<double>()});
 
   // The same plan again, as a table: it has the same id only if nothing of it differs.
   const Outcome table =
