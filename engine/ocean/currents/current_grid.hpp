@@ -22,6 +22,8 @@ namespace floeplan::ocean {
 ///          a depth axis (`depths` empty) are valid at every depth
 /// Tide     with a tide, the time steps are those of the tide. The current is the data, linear between their
 ///          own times (steady if they have one), plus the tide; nullopt also where the tide is missing
+/// Added    a current that is the same at every depth may be added to the data, for example an error
+/// Copies   share the samples
 /// Threads  const members may be called from several threads at once
 /// Errors   std::invalid_argument from the constructor if the sizes of the arrays differ, or if data have
 ///          several times and the tide begins before or ends after them
@@ -35,9 +37,18 @@ class CurrentGrid : public CurrentField {
     std::vector<float> v;
   };
 
+  /// A current at each node and time of the samples, the same at every depth. Shape: [time][y][x], m/s.
+  struct Added {
+    std::vector<float> u;
+    std::vector<float> v;
+  };
+
   explicit CurrentGrid(Samples samples);
   /// `tide` has the nodes of the samples' grid; null: no tide.
   CurrentGrid(Samples samples, std::shared_ptr<const TidalCurrents> tide);
+  /// The same currents with this one in place of what was added before.
+  /// Errors  std::invalid_argument if the sizes of its arrays differ from those of one level of the samples
+  [[nodiscard]] CurrentGrid with_added(Added added) const;
 
   [[nodiscard]] std::optional<geo::VelocityEn> at(geo::LonLat place, core::Metres depth,
                                                   core::UtcTime time) const override;
@@ -49,14 +60,16 @@ class CurrentGrid : public CurrentField {
   /// without a depth axis the column is the same at every depth.
   [[nodiscard]] std::optional<CurrentColumn> column_at_node(std::size_t ix, std::size_t iy,
                                                             std::size_t time_index) const;
-  [[nodiscard]] const Samples& samples() const { return samples_; }
+  /// The data alone, without the tide and without what was added.
+  [[nodiscard]] const Samples& samples() const { return *samples_; }
   /// The time steps to which a `time_index` refers.
-  [[nodiscard]] const Axis& times_s() const { return tide_ ? tide_->times_s() : samples_.times_s; }
+  [[nodiscard]] const Axis& times_s() const { return tide_ ? tide_->times_s() : samples_->times_s; }
   [[nodiscard]] const std::shared_ptr<const TidalCurrents>& tide() const { return tide_; }
+  [[nodiscard]] const std::shared_ptr<const Added>& added() const { return added_; }
   /// Whether the same samples are missing at every time; false for grids with a tide. The first call checks
   /// all samples.
   [[nodiscard]] bool has_steady_gaps() const;
-  /// The mean over all times, without the tide, as a grid with a single time. A node is missing if it is
+  /// The mean of the data over all times, without the tide, as a grid with a single time. A node is missing if it is
   /// missing at any time.
   [[nodiscard]] CurrentGrid time_mean() const;
 
@@ -76,9 +89,10 @@ class CurrentGrid : public CurrentField {
     bool are_steady{};
   };
 
-  Samples samples_;
-  std::shared_ptr<Gaps> gaps_;  // shared by copies, which have the same samples
+  std::shared_ptr<const Samples> samples_;
+  std::shared_ptr<Gaps> gaps_;
   std::shared_ptr<const TidalCurrents> tide_;
+  std::shared_ptr<const Added> added_;
   std::vector<AxisPosition> sample_times_;  // position of each tidal time step among the times of the samples
 };
 

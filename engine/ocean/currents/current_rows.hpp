@@ -8,7 +8,8 @@
 
 namespace floeplan::ocean {
 
-/// Some rows of a grid of currents at one time step, at all levels, with the tide if the grid has one.
+/// Some rows of a grid of currents at one time step, at all levels, with the tide and the added current if the grid
+/// has them.
 /// Shape    u and v are [level][row][column], m/s towards true east and true north; the levels begin
 ///          `level_stride` samples apart. NaN if a sample or the tide is missing
 /// Threads  const members may be called from several threads at once
@@ -26,12 +27,13 @@ class CurrentRows {
   [[nodiscard]] std::size_t level_stride() const { return level_stride_; }
 
  private:
+  void add_to_samples(const CurrentGrid& currents, std::size_t time_index, std::size_t first_row);
   void add_tide(const CurrentGrid& currents, std::size_t time_index, std::size_t first_row);
 
   std::size_t levels_;
   std::size_t columns_;
   std::size_t level_stride_;
-  std::vector<float> summed_u_;  // with the tide; empty if the grid has none
+  std::vector<float> summed_u_;  // with tide and added current; empty if the grid has none
   std::vector<float> summed_v_;
   std::span<const float> u_;
   std::span<const float> v_;

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "engine/ocean/currents/current_rows.hpp"
+
 namespace floeplan::ocean::current_error_test {
 namespace {
 
@@ -29,6 +31,18 @@ CurrentGrid still_water() {
   return CurrentGrid{std::move(samples)};
 }
 
+/// The currents at all nodes and times, [time][y][x].
+CurrentGrid::Added values(const CurrentGrid& currents) {
+  CurrentGrid::Added all;
+  const std::size_t rows = currents.samples().grid.y().size();
+  for (std::size_t time = 0; time < currents.times_s().size(); ++time) {
+    const CurrentRows part{currents, time, 0, rows};
+    all.u.insert(all.u.end(), part.u().begin(), part.u().end());
+    all.v.insert(all.v.end(), part.v().begin(), part.v().end());
+  }
+  return all;
+}
+
 double mean_product(const std::vector<float>& a, const std::vector<float>& b, std::size_t shift) {
   double sum = 0.0;
   double count = 0.0;
@@ -47,12 +61,10 @@ TEST(CurrentError, HasTheDeviationOfItsModelAndNoBias) {
   constexpr int draws = 40;
   for (int seed = 1; seed <= draws; ++seed) {
     std::mt19937_64 rng{static_cast<std::uint64_t>(seed)};
-    const CurrentGrid erring = with_error(still, model, rng);
-    variance += (mean_product(erring.samples().u, erring.samples().u, 0) +
-                 mean_product(erring.samples().v, erring.samples().v, 0)) /
-                (2.0 * draws);
-    const std::vector<float> ones(erring.samples().u.size(), 1.0F);
-    mean += mean_product(erring.samples().u, ones, 0) / draws;
+    const auto erring = values(with_error(still, model, rng));
+    variance += (mean_product(erring.u, erring.u, 0) + mean_product(erring.v, erring.v, 0)) / (2.0 * draws);
+    const std::vector<float> ones(erring.u.size(), 1.0F);
+    mean += mean_product(erring.u, ones, 0) / draws;
   }
   EXPECT_NEAR(std::sqrt(variance), 0.1, 0.01);
   EXPECT_NEAR(mean, 0.0, 0.01);
@@ -67,7 +79,7 @@ TEST(CurrentError, IsAlikeNearbyAndForgottenFarAwayAndLater) {
   double all = 0.0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     std::mt19937_64 rng{seed};
-    const auto samples = with_error(still, model, rng).samples();
+    const auto samples = values(with_error(still, model, rng));
     all += mean_product(samples.v, samples.v, 0);
     near_by += mean_product(samples.v, samples.v, 41);             // 5 km north
     later += mean_product(samples.v, samples.v, slice);            // 3 hours
@@ -85,14 +97,36 @@ TEST(CurrentError, IsTheSameForTheSameSeedAndLeavesMissingNodesMissing) {
   std::mt19937_64 second{7};
   std::mt19937_64 other{8};
 
-  const auto a = with_error(still, model, first).samples().u;
-  const auto b = with_error(still, model, second).samples().u;
-  const auto c = with_error(still, model, other).samples().u;
+  const auto a = values(with_error(still, model, first)).u;
+  const auto b = values(with_error(still, model, second)).u;
+  const auto c = values(with_error(still, model, other)).u;
 
   EXPECT_TRUE(std::isnan(a[5]));
   EXPECT_EQ(a[0], b[0]);
   EXPECT_EQ(a.back(), b.back());
   EXPECT_NE(a.back(), c.back());
+}
+
+TEST(CurrentError, IsTheSameAtEveryDepthAndSharesTheData) {
+  CurrentGrid::Samples samples{.grid = {geo::GeographicFrame{}, Axis{{-54.0, -53.0}}, Axis{{69.0, 69.2}}},
+                               .depths_m = Axis{{0.0, 100.0}},
+                               .times_s = Axis{{1.8e9, 1.8e9 + 3600.0}},
+                               .u = std::vector<float>(16, 0.25F),
+                               .v = std::vector<float>(16, -0.5F)};
+  const CurrentGrid currents{std::move(samples)};
+  std::mt19937_64 rng{3};
+  const CurrentGrid erring = with_error(currents, model, rng);
+
+  EXPECT_EQ(&erring.samples(), &currents.samples());
+  for (const double time_s : {1.8e9, 1.8e9 + 900.0}) {
+    const core::UtcTime time = core::from_unix_seconds(time_s);
+    const geo::LonLat place{-53.4, 69.05};
+    const auto above = erring.at(place, {0.0}, time).value();
+    const auto below = erring.at(place, {80.0}, time).value();
+    EXPECT_NE(above.east.value, 0.25);
+    EXPECT_EQ(above.east.value, below.east.value);
+    EXPECT_EQ(above.north.value, below.north.value);
+  }
 }
 
 TEST(CurrentError, NamesEveryFaultOfAModel) {

@@ -78,6 +78,22 @@ TEST(CurrentRows, HoldTheTideBetweenTheTimesOfTheSamplesToo) {
   });
 }
 
+TEST(CurrentRows, HoldTheAddedCurrentWithAndWithoutATide) {
+  support::for_each_seed(20, [](std::mt19937_64& rng) {
+    const auto with_added = [&](const CurrentGrid& currents) {
+      CurrentGrid::Added added;
+      for (std::size_t i = 0; i < currents.samples().times_s.size() * rows * columns; ++i) {
+        added.u.push_back(static_cast<float>(uniform(rng, -0.5, 0.5)));
+        added.v.push_back(static_cast<float>(uniform(rng, -0.5, 0.5)));
+      }
+      return currents.with_added(std::move(added));
+    };
+    expect_as_columns(with_added(CurrentGrid{random_samples(rng, {0.0, 3600.0})}));
+    expect_as_columns(with_added(CurrentGrid{random_samples(rng, {0.0, 3600.0, 7200.0}), a_tide(rng)}));
+    expect_as_columns(with_added(CurrentGrid{random_samples(rng, {0.0}), a_tide(rng)}));
+  });
+}
+
 TEST(CurrentRows, MissWhereTheTideDoes) {
   std::mt19937_64 rng{7};
   const CurrentGrid currents{random_samples(rng, {0.0}), a_tide(rng)};
