@@ -15,8 +15,9 @@ Result<Alternatives> find_alternatives(const ocean::Environment& environment, co
   const auto plan_once = [](const planner::Task& task) {
     return planner::plan_by(planner::all_strategies().subspan(1), task);
   };
+  cost::SeaShelf shelf;
   Alternatives found =
-      planner::alternatives_to(plan, {environment, request, stop, progress, {}, executor}, plan_once);
+      planner::alternatives_to(plan, {environment, request, stop, progress, {}, shelf, executor}, plan_once);
   if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
   return found;
 }

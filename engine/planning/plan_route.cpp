@@ -12,8 +12,9 @@ Result<Plan> plan_route(const ocean::Environment& environment, const PlanRequest
                         const WiderSea& wider, const core::Executor& executor) {
   throw_if_invalid(request);
   const core::ProgressCallback progress = core::never_falling(report);
-  Result<Plan> plan =
-      planner::plan_by(planner::all_strategies(), {environment, request, stop, progress, wider, executor});
+  cost::SeaShelf shelf;
+  Result<Plan> plan = planner::plan_by(planner::all_strategies(),
+                                       {environment, request, stop, progress, wider, shelf, executor});
   if (plan) return plan;
   return tl::unexpected(
       diagnosis::with_what_would_help(environment, request, std::move(plan.error()), stop, progress));

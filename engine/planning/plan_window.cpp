@@ -37,11 +37,12 @@ WindowPlan plan_window(const ocean::Environment& environment, const PlanRequest&
   WindowPlan window = planner::try_to_plan_window(environment, request, stop, usual, executor);
   if (window.plan) {
     const planner::Planning plan_once = [](const planner::Task& task) {
-      return planner::try_to_plan(task.environment, task.request, task.stop, task.progress, task.executor);
+      return planner::plan_by(planner::all_strategies().subspan(1), task);
     };
+    cost::SeaShelf shelf;
     const PlanRequest best = leaving_at(request, window.plan->departure);
-    window.plan = planner::best_of_more_grids(std::move(window.plan),
-                                              {environment, best, stop, more, wider, executor}, plan_once);
+    window.plan = planner::best_of_more_grids(
+        std::move(window.plan), {environment, best, stop, more, wider, shelf, executor}, plan_once);
     return window;
   }
   if (planner::more_room_may_help(window.plan.error(), environment, request, stop)) {

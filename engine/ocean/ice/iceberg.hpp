@@ -19,6 +19,8 @@ enum class IcebergSize { growler, bergy_bit, small, medium, large, very_large, u
 struct IcebergFix {
   geo::LonLat place;
   core::UtcTime time;
+
+  friend bool operator==(const IcebergFix&, const IcebergFix&) = default;
 };
 
 /// One sighting of an iceberg.
@@ -34,6 +36,8 @@ struct Iceberg {
   std::string method;                                // how it was seen ("R/V", "SAT-HIGH"); empty: not given
   std::vector<IcebergFix> earlier{};                 // earlier sightings of this berg, oldest first
   std::optional<core::UtcTime> too_old_from{};  // too old for departures from then on; empty: never too old
+
+  friend bool operator==(const Iceberg&, const Iceberg&) = default;
 };
 
 /// The length assumed for safety: the stated one, otherwise the upper end of the size class. An unknown size

@@ -5,7 +5,7 @@ namespace floeplan::planning::cost {
 ice::UnderIce::Leave Overhead::leave(std::optional<ice::IceWatch>& watch, geo::PlanePoint point,
                                      core::Seconds time) const {
   ice::UnderIce::Leave leave = watch ? watch->look(point, time) : ice::UnderIce::Leave{true, true};
-  leave.to_surface = leave.to_surface && !icebergs_.least_upper_turn(point, time);
+  leave.to_surface = leave.to_surface && !icebergs_->least_upper_turn(point, time);
   return leave;
 }
 

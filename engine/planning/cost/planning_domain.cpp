@@ -1,6 +1,7 @@
 #include "engine/planning/cost/planning_domain.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include "engine/planning/cost/sea_layout.hpp"
@@ -9,17 +10,23 @@ namespace floeplan::planning::cost {
 
 PlanningDomain::PlanningDomain(const ocean::Environment& environment, const PlanRequest& request,
                                const geo::LocalProjection& projection, const plane::PlaneBox& area,
-                               core::Metres cell, const std::stop_token& stop, CurrentsShelf* shelf)
-    : PlanningDomain{environment, request, lay_out_zones(environment, request), projection, area, cell,
-                     stop,        shelf} {}
+                               core::Metres cell, const std::stop_token& stop, SeaShelf* shelf)
+    : PlanningDomain{environment,
+                     request,
+                     lay_out_zones(environment, request),
+                     projection,
+                     area,
+                     cell,
+                     stop,
+                     shelf != nullptr ? *shelf : *std::make_unique<SeaShelf>()} {}
 
 PlanningDomain::PlanningDomain(const ocean::Environment& environment, const PlanRequest& request,
                                obstacles::ZoneRules zones, const geo::LocalProjection& projection,
                                const plane::PlaneBox& area, core::Metres cell, const std::stop_token& stop,
-                               CurrentsShelf* shelf)
+                               SeaShelf& shelf)
     : projection_{projection},
       lengths_{projection, area},
-      bed_{lay_out_bed_below(environment, request, projection, area, cell, stop)},
+      bed_{shelf.bed_below(environment, request, projection, area, cell, stop)},
       safety_{environment,
               request.vehicle.least_water(),
               std::move(zones.standing),
@@ -30,13 +37,11 @@ PlanningDomain::PlanningDomain(const ocean::Environment& environment, const Plan
               stop},
       timed_zones_{lay_out_timed_zones(zones.timed, request, projection, area)},
       overhead_{lay_out_ice(environment, request, projection, area, cell, bed_, stop),
-                lay_out_icebergs(environment, request, projection, area, bed_, stop),
+                shelf.icebergs(environment, request, projection, area, bed_, stop),
                 request.under_ice.max_time_without_surfacing},
       depths_{request.vehicle.dive_limits(), environment.bathymetry},
-      currents_{shelf != nullptr
-                    ? shelf->take(request, depths_, ice() ? &*ice() : nullptr, projection, area, stop)
-                    : lay_out_currents(environment, request, depths_, ice() ? &*ice() : nullptr, projection,
-                                       area, stop)} {
+      currents_{
+          shelf.currents(environment, request, depths_, ice() ? &*ice() : nullptr, projection, area, stop)} {
   if (!request.icebergs.pass_under && !(ice() && ice()->has_dense_ice())) bed_.reset();
 }
 

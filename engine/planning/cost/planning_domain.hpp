@@ -7,8 +7,8 @@
 
 #include "engine/geo/local_projection.hpp"
 #include "engine/ocean/environment.hpp"
-#include "engine/planning/cost/currents_shelf.hpp"
 #include "engine/planning/cost/overhead.hpp"
+#include "engine/planning/cost/sea_shelf.hpp"
 #include "engine/planning/currents/flown_depths.hpp"
 #include "engine/planning/currents/plane_currents.hpp"
 #include "engine/planning/ice/under_ice.hpp"
@@ -30,10 +30,10 @@ class PlanningDomain {
  public:
   /// `cell`: step of the safety map. If `stop` is requested, the object stays incomplete and must not be
   /// used. `environment` and `request` are borrowed and must outlive the object.
-  /// `shelf`: cache of currents of the same environment, or null; needed only during construction.
+  /// `shelf`: cache of gridded parts, or null; needed only during construction.
   PlanningDomain(const ocean::Environment& environment, const PlanRequest& request,
                  const geo::LocalProjection& projection, const plane::PlaneBox& area, core::Metres cell,
-                 const std::stop_token& stop, CurrentsShelf* shelf);
+                 const std::stop_token& stop, SeaShelf* shelf);
 
   [[nodiscard]] const geo::LocalProjection& projection() const { return projection_; }
   /// Lengths on the ground of lines of the plane.
@@ -66,7 +66,7 @@ class PlanningDomain {
   PlanningDomain(const ocean::Environment& environment, const PlanRequest& request,
                  obstacles::ZoneRules zones, const geo::LocalProjection& projection,
                  const plane::PlaneBox& area, core::Metres cell, const std::stop_token& stop,
-                 CurrentsShelf* shelf);
+                 SeaShelf& shelf);
 
   geo::LocalProjection projection_;
   plane::GroundLengths lengths_;

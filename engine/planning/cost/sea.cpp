@@ -33,7 +33,7 @@ Sea::Holding holding_of(const PlanRequest& request, core::MetresPerSecond fastes
 
 Sea::Sea(const ocean::Environment& environment, const PlanRequest& request,
          const geo::LocalProjection& projection, const plane::PlaneBox& area, core::Metres cell,
-         const std::stop_token& stop, CurrentsShelf* shelf)
+         const std::stop_token& stop, SeaShelf* shelf)
     : domain_{environment, request, projection, area, cell, stop, shelf},
       drives_{planning::drives(request.energy, request.vehicle)},
       buoyancy_speed_{request.vehicle.speed_through_water},

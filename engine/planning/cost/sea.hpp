@@ -29,10 +29,10 @@ class Sea {
   /// `cell`: step of the safety map. Once `stop` is requested, the object stays incomplete and must not be
   /// used.
   /// `environment` and `request` are borrowed and must outlive the object.
-  /// `shelf`: cache of currents of the same environment, or null; needed only during construction.
+  /// `shelf`: cache of gridded parts, or null; needed only during construction.
   Sea(const ocean::Environment& environment, const PlanRequest& request,
       const geo::LocalProjection& projection, const plane::PlaneBox& area, core::Metres cell,
-      const std::stop_token& stop = {}, CurrentsShelf* shelf = nullptr);
+      const std::stop_token& stop = {}, SeaShelf* shelf = nullptr);
 
   /// Travel time of a straight leg with the first propulsion of the model, or the reason why the leg is
   /// closed. too_late: it would certainly end after `latest`.

@@ -20,19 +20,6 @@ core::UtcTime last_departure(const PlanRequest& request) {
       {request.depart, rules.until.value_or(request.depart), rules.arrive_by.value_or(request.depart)});
 }
 
-/// The time after the first departure until which the drift of icebergs matters: the end of a route from the last
-/// departure, or the end of the currents if later, but at most `longest_drift`. All departures of a window get the
-/// drift that the last one would have alone, so the result of a departure does not depend on the window.
-core::Seconds forecast_horizon(const ocean::Environment& environment, const PlanRequest& request) {
-  const core::UtcTime last = last_departure(request);
-  core::Seconds under_way = drift_for_the_way(request);
-  if (environment.currents && !environment.steady_currents) {
-    const core::UtcTime end = core::from_unix_seconds(environment.currents->times_s().back());
-    under_way = std::max<core::Seconds>(under_way, end - last);
-  }
-  return (last - request.depart) + std::min(under_way, longest_drift);
-}
-
 /// Whether the stored ice is anywhere, at any time, too dense to surface in.
 bool has_dense_ice(const ocean::Environment& environment, const UnderIceRules& rules) {
   const auto is_dense = [&](const std::shared_ptr<const ocean::IceField>& ice) {
@@ -66,6 +53,20 @@ std::vector<geo::PlanePoint> stops_in_plane(const PlanRequest& request,
 }
 
 }  // namespace
+
+core::Seconds forecast_horizon(const ocean::Environment& environment, const PlanRequest& request) {
+  const core::UtcTime last = last_departure(request);
+  core::Seconds under_way = drift_for_the_way(request);
+  if (environment.currents && !environment.steady_currents) {
+    const core::UtcTime end = core::from_unix_seconds(environment.currents->times_s().back());
+    under_way = std::max<core::Seconds>(under_way, end - last);
+  }
+  return (last - request.depart) + std::min(under_way, longest_drift);
+}
+
+bool passes_below(const ocean::Environment& environment, const PlanRequest& request) {
+  return request.icebergs.pass_under || has_dense_ice(environment, request.under_ice);
+}
 
 core::Seconds drift_for_the_way(const PlanRequest& request) {
   constexpr double detours = 6.0;
@@ -108,8 +109,7 @@ std::shared_ptr<const obstacles::BedCells> lay_out_bed_below(const ocean::Enviro
                                                              const geo::LocalProjection& projection,
                                                              const plane::PlaneBox& area, core::Metres cell,
                                                              const std::stop_token& stop) {
-  const bool passes_below = request.icebergs.pass_under || has_dense_ice(environment, request.under_ice);
-  if (!passes_below || !environment.bathymetry) return nullptr;
+  if (!passes_below(environment, request) || !environment.bathymetry) return nullptr;
   return obstacles::lay_out_bed(environment.bathymetry, request.vehicle, projection, area, cell, stop);
 }
 

@@ -36,6 +36,15 @@ namespace floeplan::planning::cost {
 /// days if the vehicle may hold.
 [[nodiscard]] core::Seconds drift_for_the_way(const PlanRequest& request);
 
+/// The time after the first departure until which the drift of icebergs matters: the end of a route from the last
+/// departure, or the end of the currents if later, but at most 30 days. All departures of a window get the drift that the
+/// last one would have alone, so the result of a departure does not depend on the window.
+[[nodiscard]] core::Seconds forecast_horizon(const ocean::Environment& environment,
+                                             const PlanRequest& request);
+
+/// Whether the vehicle may pass below icebergs or sea ice.
+[[nodiscard]] bool passes_below(const ocean::Environment& environment, const PlanRequest& request);
+
 /// The sea bed on a grid, if the vehicle may pass below icebergs or sea ice; otherwise null.
 [[nodiscard]] std::shared_ptr<const obstacles::BedCells> lay_out_bed_below(
     const ocean::Environment& environment, const PlanRequest& request, const geo::LocalProjection& projection,

@@ -291,7 +291,8 @@ std::int64_t WayTrials::work_of_a_chart(const PlanRequest& request, const cost::
   double tables = 0.0;
   if (environment_.bathymetry) tables += 2.0;  // one for closed cells, one for dive depths
   if (environment_.ice) tables += 1.0 + static_cast<double>(environment_.further_ice.size());
-  if (environment_.currents && !shelf_.holds(request, layout.projection, layout.area())) {
+  if (environment_.currents &&
+      !shelf_.holds_currents(environment_, request, layout.projection, layout.area())) {
     work += work_of_a_value * static_cast<double>(environment_.currents->samples().u.size());
     tables += 1.0;
   }

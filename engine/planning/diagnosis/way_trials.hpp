@@ -4,8 +4,8 @@
 #include <stop_token>
 
 #include "engine/ocean/environment.hpp"
-#include "engine/planning/cost/currents_shelf.hpp"
 #include "engine/planning/cost/layout.hpp"
+#include "engine/planning/cost/sea_shelf.hpp"
 #include "engine/planning/diagnosis/relaxation.hpp"
 #include "engine/planning/problem/plan_request.hpp"
 
@@ -29,7 +29,7 @@ class WayTrials {
   /// `environment` is borrowed and must outlive the trials.
   WayTrials(const ocean::Environment& environment, const std::stop_token& stop,
             std::int64_t most_work = standard_work)
-      : environment_{environment}, stop_{stop}, left_{most_work}, shelf_{environment} {}
+      : environment_{environment}, stop_{stop}, left_{most_work} {}
 
   /// Tests a request. Once `stop` is requested the answer is `not_known`.
   [[nodiscard]] TrialOutcome operator()(const PlanRequest& request);
@@ -44,7 +44,7 @@ class WayTrials {
   const ocean::Environment& environment_;
   std::stop_token stop_;
   std::int64_t left_;
-  cost::CurrentsShelf shelf_;  // most trials change obstacles or ice, so the currents are reused
+  cost::SeaShelf shelf_;  // most trials change only some of the obstacles, so the other parts are reused
 };
 
 }  // namespace floeplan::planning::diagnosis

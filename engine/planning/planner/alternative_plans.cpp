@@ -259,7 +259,7 @@ class AlternativeSearch {
 
 Alternatives alternatives_to(const Plan& plan, const Task& task, const Planning& plan_once) {
   const auto chart = search::draw_chart(task.environment, task.request, cost::reaches(task.request).back(),
-                                        task.stop, nullptr, search::Moves::left_out);
+                                        task.stop, &task.shelf, search::Moves::left_out);
   if (!chart) return {};
   return AlternativeSearch{plan, task, *chart}.find(plan_once);
 }

@@ -135,9 +135,9 @@ struct CostAttempt {
 
 /// The steps of planning: search area, search, refinement, published plan.
 CostAttempt plan_cost_within(cost::GridReach reach, const Task& task) {
-  const auto& [environment, request, stop, progress, wider, executor, of_use, known_route] = task;
+  const auto& [environment, request, stop, progress, wider, shelf, executor, of_use, known_route] = task;
   progress("environment", 0.0);
-  const Result<search::Chart> chart = search::draw_chart(environment, request, reach, stop);
+  const Result<search::Chart> chart = search::draw_chart(environment, request, reach, stop, &shelf);
   if (!chart) return {tl::unexpected(chart.error())};
   const cost::Sea& sea = chart->sea;
 
@@ -244,7 +244,7 @@ Result<Plan> publish_straight_way(const search::Chart& chart, const ocean::Envir
 }
 
 Result<Plan> search_least_cost_plan(const KnownPlan& known, const Task& task) {
-  const auto& [environment, request, stop, progress, wider, executor, of_use, known_route] = task;
+  const auto& [environment, request, stop, progress, wider, shelf, executor, of_use, known_route] = task;
   // A search for the least cost plans no holds; only a search for the fastest plan does.
   PlanRequest on_the_move = request;
   on_the_move.holds.longest = core::Seconds{0.0};

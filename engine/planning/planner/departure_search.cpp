@@ -33,18 +33,18 @@ struct Ground {
 
 /// Errors   as draw_chart
 Result<Ground> lay_out(const ocean::Environment& environment, const PlanRequest& request,
-                       cost::GridReach reach, const std::stop_token& stop) {
+                       cost::GridReach reach, cost::SeaShelf& shelf, const std::stop_token& stop) {
   // A search for the least cost plans no holds; only a search for the fastest route does.
   PlanRequest drawn = request;
   if (!request.energy.objective.is_time()) drawn.holds.longest = core::Seconds{0.0};
-  auto chart = search::draw_chart(environment, drawn, reach, stop);
+  auto chart = search::draw_chart(environment, drawn, reach, stop, &shelf);
   if (!chart) return tl::unexpected(chart.error());
   Ground ground{request, std::move(*chart), {}, {}};
   if (request.method != Method::direct)
     ground.grids = search::open_grids(ground.chart.sea, ground.chart.layout.grids, request.sectors, stop);
   if (request.energy.objective.is_time()) return ground;
   for (const vehicle::Drive drive : drives(request.energy, request.vehicle)) {
-    auto other = lay_out(environment, fastest_request(request, drive), reach, stop);
+    auto other = lay_out(environment, fastest_request(request, drive), reach, shelf, stop);
     if (!other) return other;
     ground.fastest.push_back(std::move(*other));
   }
@@ -65,7 +65,7 @@ class Grounds {
  private:
   const Result<Ground>& laid_out(std::optional<Result<Ground>>& ground, cost::GridReach reach) {
     const std::lock_guard lock{mutex_};
-    if (!ground) ground.emplace(lay_out(environment_, request_, reach, stop_));
+    if (!ground) ground.emplace(lay_out(environment_, request_, reach, shelf_, stop_));
     return *ground;
   }
 
@@ -73,6 +73,7 @@ class Grounds {
   const PlanRequest& request_;
   const std::stop_token& stop_;
   std::mutex mutex_;
+  cost::SeaShelf shelf_;
   std::optional<Result<Ground>> near_;
   std::optional<Result<Ground>> wide_;
 };

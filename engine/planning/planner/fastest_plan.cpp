@@ -114,9 +114,9 @@ void take_if_faster(std::span<const geo::LonLat> known, const search::Chart& cha
 
 /// The steps of planning: search area, search, refinement, published plan.
 Attempt plan_within(cost::GridReach reach, const Task& task) {
-  const auto& [environment, request, stop, progress, wider, executor, of_use, known_route] = task;
+  const auto& [environment, request, stop, progress, wider, shelf, executor, of_use, known_route] = task;
   progress("environment", 0.0);
-  Result<search::Chart> chart = search::draw_chart(environment, request, reach, stop);
+  Result<search::Chart> chart = search::draw_chart(environment, request, reach, stop, &shelf);
   if (!chart) return {.plan = tl::unexpected(std::move(chart.error()))};
 
   Result<RefinedWay> way = WayFinder{*chart, task}.find();
@@ -186,7 +186,7 @@ std::optional<PlanRequest> without_leave(const ocean::Environment& environment, 
 }  // namespace
 
 Result<Plan> plan_fastest(const Task& task, const Planning&) {
-  const auto& [environment, request, stop, progress, wider, executor, of_use, known_route] = task;
+  const auto& [environment, request, stop, progress, wider, shelf, executor, of_use, known_route] = task;
   const std::optional<PlanRequest> strict = without_leave(environment, request);
   const core::ProgressCallback as_asked = core::part_of(progress, "", 0.0, strict ? 0.5 : 1.0);
   Attempt best = plan_on_grids(task.telling(as_asked));

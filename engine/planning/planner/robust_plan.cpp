@@ -50,14 +50,14 @@ cost::DrivenRoute route_of(const Plan& plan, const geo::LocalProjection& project
 /// their cautious rounding must not close a passage that is open in the data.
 std::vector<std::optional<cost::DrivenTimes>> drive_all(const ocean::Environment& environment,
                                                         const PlanRequest& request,
-                                                        const std::vector<Plan>& plans,
+                                                        const std::vector<Plan>& plans, cost::SeaShelf& shelf,
                                                         const std::stop_token& stop) {
   std::vector<std::optional<cost::DrivenTimes>> result(plans.size());
   for (const cost::GridReach reach : cost::reaches(request)) {
     if (stop.stop_requested() ||
         std::ranges::all_of(result, [](const auto& times) { return times.has_value(); }))
       break;
-    Result<search::Chart> chart = search::draw_chart(environment, request, reach, stop);
+    Result<search::Chart> chart = search::draw_chart(environment, request, reach, stop, &shelf);
     if (!chart) continue;
     std::vector<cost::DrivenRoute> routes;
     std::vector<std::vector<geo::PlanePoint>> points;
@@ -144,7 +144,7 @@ core::UtcTime arrival_that_counts(const Plan& plan, const UncertaintyRules& rule
 }
 
 Result<Plan> plan_uncertain(const Task& task, const Planning& plan_in_one_sea) {
-  const auto& [environment, asked, stop, progress, wider, executor, of_use, known_route] = task;
+  const auto& [environment, asked, stop, progress, wider, shelf, executor, of_use, known_route] = task;
   PlanRequest request = asked;
   request.optimality_gap = false;
   const UncertaintyRules& rules = request.uncertainty;
@@ -191,11 +191,14 @@ Result<Plan> plan_uncertain(const Task& task, const Planning& plan_in_one_sea) {
       });
   // A route that is closed in the currents of the first member cannot be published, because the plan's times are
   // those in these currents.
-  executor.run(ways.size(), [&](std::size_t way, bool) {
-    if (places[way].empty() || stop.stop_requested()) return;
-    Result<Plan> in_first = evaluate_in(environment, places[way], request, stop);
-    if (in_first) ways[way] = std::move(*in_first);
-  });
+  {
+    cost::SeaShelf beside_routes;  // with areas of their own; freed before the members take memory again
+    executor.run(ways.size(), [&](std::size_t way, bool) {
+      if (places[way].empty() || stop.stop_requested()) return;
+      Result<Plan> in_first = evaluate_in(environment, places[way], request, stop, &beside_routes);
+      if (in_first) ways[way] = std::move(*in_first);
+    });
+  }
   if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
   std::vector<Plan> candidates{*base};
   for (std::optional<Plan>& way : ways)
@@ -208,7 +211,7 @@ Result<Plan> plan_uncertain(const Task& task, const Planning& plan_in_one_sea) {
     told(static_cast<double>(plans) + plans_a_look * static_cast<double>(ended));
   }};
   executor.run(members.size(), [&](std::size_t member, bool is_caller) {
-    driven[member] = drive_all(members.environment(member), request, candidates, stop);
+    driven[member] = drive_all(members.environment(member), request, candidates, shelf, stop);
     timed.add(is_caller);
   });
   for (const auto& in_member : driven)

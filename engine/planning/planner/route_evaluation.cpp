@@ -40,9 +40,9 @@ Result<Plan> evaluate_on_ground(const search::RouteGround& ground, const std::ve
 }
 
 Result<Plan> evaluate_in(const ocean::Environment& environment, const std::vector<geo::LonLat>& route,
-                         const PlanRequest& request, const std::stop_token& stop) {
+                         const PlanRequest& request, const std::stop_token& stop, cost::SeaShelf* shelf) {
   const PlanRequest on_route = search::request_along(route, request);
-  const auto ground = search::lay_out_ground(environment, on_route, search::site_of(on_route), stop);
+  const auto ground = search::lay_out_ground(environment, on_route, search::site_of(on_route), stop, shelf);
   if (!ground) return tl::unexpected(ground.error());
   return evaluate_on_ground(**ground, route, request, stop);
 }

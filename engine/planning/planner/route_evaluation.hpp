@@ -18,9 +18,9 @@ namespace floeplan::planning::planner {
                                               const std::vector<geo::LonLat>& route,
                                               const PlanRequest& request, const std::stop_token& stop);
 
-/// Times a given route on a leg cost model that is made for it.
+/// Times a given route on a leg cost model that is made for it. `shelf`: see `Sea`.
 [[nodiscard]] Result<Plan> evaluate_in(const ocean::Environment& environment,
                                        const std::vector<geo::LonLat>& route, const PlanRequest& request,
-                                       const std::stop_token& stop);
+                                       const std::stop_token& stop, cost::SeaShelf* shelf = nullptr);
 
 }  // namespace floeplan::planning::planner

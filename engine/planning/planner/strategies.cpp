@@ -105,8 +105,10 @@ Result<Plan> try_to_plan(const ocean::Environment& environment, const PlanReques
                          const core::Executor& executor, std::span<const geo::LonLat> known_route) {
   throw_if_invalid(request);
   const core::ProgressCallback progress = report ? report : [](std::string_view, double) {};
-  return plan_by(all_strategies().subspan(1),
-                 {environment, request, stop, progress, {}, executor, core::Seconds{INFINITY}, known_route});
+  cost::SeaShelf shelf;
+  return plan_by(
+      all_strategies().subspan(1),
+      {environment, request, stop, progress, {}, shelf, executor, core::Seconds{INFINITY}, known_route});
 }
 
 }  // namespace floeplan::planning::planner

@@ -148,7 +148,7 @@ double share_of_usual_grids(const ocean::Environment& environment, const PlanReq
 }
 
 Result<Plan> best_of_more_grids(Result<Plan> known, const Task& task, const Planning& plan_once) {
-  const auto& [environment, request, stop, progress, wider, executor, of_use, known_route] = task;
+  const auto& [environment, request, stop, progress, wider, shelf, executor, of_use, known_route] = task;
   if (request.method == Method::direct || stop.stop_requested()) return known;
   const bool is_worth_it = known ? takes_more_than_one_try(*known, environment, request)
                                  : more_room_may_help(known.error(), environment, request, stop);

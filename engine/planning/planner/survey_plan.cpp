@@ -51,10 +51,11 @@ EstimatedOrder estimated(const VisitingOrder& order) {
 
 /// The order of the via points with the earliest estimated arrival; empty if no order leads to the goal or
 /// `stop` is requested.
-std::optional<EstimatedOrder> best_via_order(const ocean::Environment& environment,
-                                             const PlanRequest& request, const std::stop_token& stop) {
+std::optional<EstimatedOrder> best_via_order(const Task& task) {
+  const PlanRequest& request = task.request;
+  const std::stop_token& stop = task.stop;
   const Result<search::Chart> chart =
-      search::draw_chart(environment, request, cost::reaches(request).back(), stop);
+      search::draw_chart(task.environment, request, cost::reaches(request).back(), stop, &task.shelf);
   if (!chart) return std::nullopt;
   TourLegs legs{chart->sea, chart->layout, request, stop};
   const TourLegTime past_closures = leg_times(legs, &TourLegs::time_past_closures);
@@ -75,11 +76,11 @@ std::optional<EstimatedOrder> best_via_order(const ocean::Environment& environme
 /// may be among them. With more than five via points at most one.
 /// `most`   largest number of orders, at least one
 /// Returns  the earliest first; fewer once `stop` is requested
-std::vector<EstimatedOrder> promising_via_orders(const ocean::Environment& environment,
-                                                 const PlanRequest& request, std::size_t most,
-                                                 const std::stop_token& stop) {
+std::vector<EstimatedOrder> promising_via_orders(const Task& task, std::size_t most) {
+  const PlanRequest& request = task.request;
+  const std::stop_token& stop = task.stop;
   const Result<search::Chart> chart =
-      search::draw_chart(environment, request, cost::reaches(request).back(), stop);
+      search::draw_chart(task.environment, request, cost::reaches(request).back(), stop, &task.shelf);
   if (!chart) return {};
   TourLegs legs{chart->sea, chart->layout, request, stop};
   const TourLegTime past_closures = leg_times(legs, &TourLegs::time_past_closures);
@@ -154,9 +155,9 @@ class SurveyPlans {
 }  // namespace
 
 Result<Plan> plan_survey(const Task& task, const Planning& plan_in_order) {
-  const auto& [environment, request, stop, progress, wider, executor, of_use, known_route] = task;
+  const auto& [environment, request, stop, progress, wider, shelf, executor, of_use, known_route] = task;
   progress("order of visits", 0.0);
-  const auto first = best_via_order(environment, request, stop);
+  const auto first = best_via_order(task);
   const bool minds_time = request.energy.objective.is_time() && request.objective().of_encounters == 0.0;
   const bool bounds_surfacing = request.under_ice.max_time_without_surfacing.has_value();
   SurveyPlans plans{task, plan_in_order};
@@ -166,7 +167,7 @@ Result<Plan> plan_survey(const Task& task, const Planning& plan_in_order) {
   if (first && plans.is_later_than(minds_time ? promised : core::Seconds{INFINITY})) {
     const std::size_t others = bounds_surfacing ? most_other_orders_with_surfacings : most_other_orders;
     bool may_be_later = true;  // whether an untried order may be earlier than the best plan
-    for (const EstimatedOrder& other : promising_via_orders(environment, request, 1 + others, stop)) {
+    for (const EstimatedOrder& other : promising_via_orders(task, 1 + others)) {
       may_be_later = !stop.stop_requested() && plans.is_later_than(other.travel_time);
       if (!may_be_later) break;
       plans.plan(other.order);

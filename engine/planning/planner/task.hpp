@@ -10,6 +10,7 @@
 #include "engine/core/progress.hpp"
 #include "engine/geo/lon_lat.hpp"
 #include "engine/ocean/environment.hpp"
+#include "engine/planning/cost/sea_shelf.hpp"
 #include "engine/planning/problem/infeasible.hpp"
 #include "engine/planning/problem/plan.hpp"
 #include "engine/planning/problem/plan_request.hpp"
@@ -24,6 +25,7 @@ struct Task {
   const std::stop_token& stop;
   const core::ProgressCallback& progress;  // never empty
   const WiderSea& wider;                   // loads data of a larger area; empty: no further data
+  cost::SeaShelf& shelf;                   // gridded parts that the plans of this task share
   const core::Executor& executor{core::in_order()};
   /// A search may leave out routes with longer travel times on the grid, because a better plan is known.
   core::Seconds of_use{INFINITY};
@@ -32,15 +34,15 @@ struct Task {
 
   /// A copy for another request.
   [[nodiscard]] Task with(const PlanRequest& other) const {
-    return {environment, other, stop, progress, wider, executor, of_use, known_route};
+    return {environment, other, stop, progress, wider, shelf, executor, of_use, known_route};
   }
   /// A copy for another environment.
   [[nodiscard]] Task in(const ocean::Environment& other) const {
-    return {other, request, stop, progress, wider, executor, of_use, known_route};
+    return {other, request, stop, progress, wider, shelf, executor, of_use, known_route};
   }
   /// A copy that reports its progress to `other`, which is borrowed.
   [[nodiscard]] Task telling(const core::ProgressCallback& other) const {
-    return {environment, request, stop, other, wider, executor, of_use, known_route};
+    return {environment, request, stop, other, wider, shelf, executor, of_use, known_route};
   }
   /// A copy that looks only for plans that may be faster than `known`.
   [[nodiscard]] Task to_beat(const Plan& known) const {
@@ -51,12 +53,13 @@ struct Task {
   }
   /// A copy for one of several parallel pieces of work: no progress reports, on one thread.
   [[nodiscard]] Task as_piece() const {
-    return {environment, request, stop, silently().progress, wider, core::in_order(), of_use, known_route};
+    return {environment, request,          stop,   silently().progress, wider,
+            shelf,       core::in_order(), of_use, known_route};
   }
   /// A copy without progress reports.
   [[nodiscard]] Task silently() const {
     static const core::ProgressCallback silent = [](std::string_view, double) {};
-    return {environment, request, stop, silent, wider, executor, of_use, known_route};
+    return {environment, request, stop, silent, wider, shelf, executor, of_use, known_route};
   }
 };
 

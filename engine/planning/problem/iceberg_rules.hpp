@@ -27,6 +27,7 @@ struct IcebergRules {
   double draft_uncertainty{0.25};
 
   [[nodiscard]] core::Violations violations() const;  // empty when valid, otherwise all of them
+  friend bool operator==(const IcebergRules&, const IcebergRules&) = default;
 };
 
 }  // namespace floeplan::planning

@@ -120,7 +120,7 @@ std::optional<Infeasible> closed_start(const Chart& chart, const PlanRequest& re
 }
 
 Result<Chart> draw_chart(const ocean::Environment& environment, const PlanRequest& request,
-                         cost::GridReach reach, const std::stop_token& stop, cost::CurrentsShelf* shelf,
+                         cost::GridReach reach, const std::stop_token& stop, cost::SeaShelf* shelf,
                          Moves moves) {
   if (auto too_much = too_much_to_lay_out(environment, request)) return tl::unexpected(std::move(*too_much));
   cost::Layout layout = cost::lay_out(request, reach);

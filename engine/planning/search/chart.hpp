@@ -30,7 +30,7 @@ enum class Moves : std::uint8_t { looked_for, left_out };
 /// `environment` and `request` are borrowed and must outlive the search area; `shelf`: see `Sea`.
 [[nodiscard]] Result<Chart> draw_chart(const ocean::Environment& environment, const PlanRequest& request,
                                        cost::GridReach reach, const std::stop_token& stop,
-                                       cost::CurrentsShelf* shelf = nullptr, Moves moves = Moves::looked_for);
+                                       cost::SeaShelf* shelf = nullptr, Moves moves = Moves::looked_for);
 
 /// Why the vehicle cannot be at its start at the time `after`, counted from the departure of the request;
 /// empty if it can.

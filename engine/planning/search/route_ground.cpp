@@ -78,10 +78,10 @@ RouteSite site_of(const PlanRequest& on_route) {
 }
 
 RouteGround::RouteGround(ocean::Environment environment, const PlanRequest& on_route, RouteSite site,
-                         const std::stop_token& stop)
+                         const std::stop_token& stop, cost::SeaShelf* shelf)
     : environment_{std::move(environment)},
       site_{std::move(site)},
-      sea_{environment_, on_route, geo::LocalProjection{site_.origin}, site_.area, site_.cell, stop} {
+      sea_{environment_, on_route, geo::LocalProjection{site_.origin}, site_.area, site_.cell, stop, shelf} {
   environment_.currents.reset();
   environment_.members.clear();
   environment_.drift_currents.reset();
@@ -100,9 +100,10 @@ std::size_t RouteGround::bytes() const {
 
 Result<std::shared_ptr<const RouteGround>> lay_out_ground(ocean::Environment environment,
                                                           const PlanRequest& on_route, const RouteSite& site,
-                                                          const std::stop_token& stop) {
+                                                          const std::stop_token& stop,
+                                                          cost::SeaShelf* shelf) {
   if (auto too_much = too_much_to_lay_out(environment, on_route)) return tl::unexpected(std::move(*too_much));
-  auto ground = std::make_shared<const RouteGround>(std::move(environment), on_route, site, stop);
+  auto ground = std::make_shared<const RouteGround>(std::move(environment), on_route, site, stop, shelf);
   if (stop.stop_requested()) return tl::unexpected(explain_cancelled(on_route));
   return ground;
 }

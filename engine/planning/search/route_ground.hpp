@@ -45,9 +45,9 @@ struct RouteSite {
 class RouteGround {
  public:
   /// `on_route` is one of those requests, `site` its site. Once `stop` is requested the object stays
-  /// incomplete and must not be used.
+  /// incomplete and must not be used. `shelf`: see `Sea`.
   RouteGround(ocean::Environment environment, const PlanRequest& on_route, RouteSite site,
-              const std::stop_token& stop);
+              const std::stop_token& stop, cost::SeaShelf* shelf = nullptr);
   RouteGround(const RouteGround&) = delete;
   RouteGround& operator=(const RouteGround&) = delete;
 
@@ -66,10 +66,12 @@ class RouteGround {
   cost::Sea sea_;
 };
 
+/// `shelf`: see `Sea`.
 /// Errors   Reason::too_large for too many icebergs; Reason::cancelled once `stop` is requested
 [[nodiscard]] Result<std::shared_ptr<const RouteGround>> lay_out_ground(ocean::Environment environment,
                                                                         const PlanRequest& on_route,
                                                                         const RouteSite& site,
-                                                                        const std::stop_token& stop);
+                                                                        const std::stop_token& stop,
+                                                                        cost::SeaShelf* shelf = nullptr);
 
 }  // namespace floeplan::planning::search

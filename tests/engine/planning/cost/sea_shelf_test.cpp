@@ -1,4 +1,4 @@
-#include "engine/planning/cost/currents_shelf.hpp"
+#include "engine/planning/cost/sea_shelf.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::planning::cost::currents_shelf_test {
+namespace floeplan::planning::cost::sea_shelf_test {
 namespace {
 
 constexpr core::Metres cell{2000.0};
@@ -70,10 +70,10 @@ void expect_the_same(const currents::PlaneCurrents& taken, const currents::Plane
   }
 }
 
-TEST(CurrentsShelf, GivesWhatWouldBeLaidOut) {
+TEST(SeaShelf, GivesWhatWouldBeLaidOut) {
   const ocean::Environment environment = icy_sea();
   support::for_each_seed(4, [&](std::mt19937_64& rng) {
-    CurrentsShelf shelf{environment};
+    SeaShelf shelf;
     PlanRequest request = request_in_the_sea();
     double half_width_m = 20'000.0;
     geo::LonLat origin{-53.0, 69.0};
@@ -95,15 +95,15 @@ TEST(CurrentsShelf, GivesWhatWouldBeLaidOut) {
 
       const Sea without{environment, request, projection, area, cell};
       expect_the_same(*with.domain().currents(), *without.domain().currents(), half_width_m, rng);
-      EXPECT_TRUE(shelf.holds(request, projection, area));
+      EXPECT_TRUE(shelf.holds_currents(environment, request, projection, area));
     }
   });
 }
 
-TEST(CurrentsShelf, LaysThemOutOnceWhereTheRequestsDifferInOtherThings) {
+TEST(SeaShelf, LaysCurrentsOutOnceWhereTheRequestsDifferInOtherThings) {
   const ocean::Environment environment = icy_sea();
   const geo::LocalProjection projection{{-53.0, 69.0}};
-  CurrentsShelf shelf{environment};
+  SeaShelf shelf;
   const PlanRequest request = request_in_the_sea();
   PlanRequest patient = request;
   patient.holds.longest = core::Seconds{7200.0};
@@ -119,22 +119,22 @@ TEST(CurrentsShelf, LaysThemOutOnceWhereTheRequestsDifferInOtherThings) {
   EXPECT_EQ(first.domain().currents(), again.domain().currents());
 }
 
-TEST(CurrentsShelf, KeepsNothingThatWasNotFinished) {
+TEST(SeaShelf, KeepsNothingThatWasNotFinished) {
   const ocean::Environment environment = icy_sea();
   const geo::LocalProjection projection{{-53.0, 69.0}};
-  CurrentsShelf shelf{environment};
+  SeaShelf shelf;
   std::stop_source stopped;
   stopped.request_stop();
 
   const Sea unfinished{environment, request_in_the_sea(), projection, box_about(10'000.0),
                        cell,        stopped.get_token(),  &shelf};
 
-  EXPECT_FALSE(shelf.holds(request_in_the_sea(), projection, box_about(10'000.0)));
+  EXPECT_FALSE(shelf.holds_currents(environment, request_in_the_sea(), projection, box_about(10'000.0)));
 }
 
-TEST(CurrentsShelf, HasNoneInStillWater) {
+TEST(SeaShelf, HasNoneInStillWater) {
   const ocean::Environment still;
-  CurrentsShelf shelf{still};
+  SeaShelf shelf;
 
   const Sea sea{
       still, request_in_the_sea(), geo::LocalProjection{{-53.0, 69.0}}, box_about(10'000.0), cell, {},
@@ -143,5 +143,59 @@ TEST(CurrentsShelf, HasNoneInStillWater) {
   EXPECT_EQ(sea.domain().currents(), nullptr);
 }
 
+TEST(SeaShelf, SharesTheIcebergsWhereOnlyTheCurrentsOfTheVehicleDiffer) {
+  ocean::Environment environment = icy_sea();
+  environment.icebergs = {support::iceberg_at({-53.0, 69.02}, 200.0)};
+  environment.drift_currents = environment.currents;
+  ocean::Environment other_currents = environment;
+  other_currents.currents = uneven_currents();
+  ocean::Environment other_drift = other_currents;
+  other_drift.drift_currents = other_currents.currents;
+  ocean::Environment moved = environment;
+  moved.icebergs.front().place.lat_deg += 0.01;
+  const geo::LocalProjection projection{{-53.0, 69.0}};
+  const PlanRequest request = request_in_the_sea();
+  PlanRequest later = request;
+  later.depart += core::Seconds{3600.0};
+  PlanRequest passing_under = request;
+  passing_under.icebergs.pass_under = true;
+  SeaShelf shelf;
+  const auto icebergs = [&](const ocean::Environment& sea, const PlanRequest& asked) {
+    return shelf.icebergs(sea, asked, projection, box_about(10'000.0), nullptr, {});
+  };
+
+  const auto first = icebergs(environment, request);
+
+  EXPECT_EQ(icebergs(other_currents, request), first);
+  EXPECT_NE(icebergs(other_drift, request), first);
+  EXPECT_EQ(icebergs(environment, request), first);
+  EXPECT_NE(icebergs(moved, request), first);
+  EXPECT_NE(icebergs(environment, later), first);
+  EXPECT_NE(icebergs(environment, passing_under), icebergs(environment, passing_under));
+}
+
+TEST(SeaShelf, SharesTheBedWhereOnlyTheDepartureDiffers) {
+  ocean::Environment environment = icy_sea();
+  environment.bathymetry = support::bathymetry_from([](geo::LonLat) { return 300.0; });
+  const geo::LocalProjection projection{{-53.0, 69.0}};
+  const PlanRequest request = request_in_the_sea();
+  PlanRequest later = request;
+  later.depart += core::Seconds{3600.0};
+  PlanRequest shallower = request;
+  shallower.vehicle.dive_depth = core::Metres{100.0};
+  SeaShelf shelf;
+  const auto bed = [&](const PlanRequest& asked, core::Metres step) {
+    return shelf.bed_below(environment, asked, projection, box_about(10'000.0), step, {});
+  };
+
+  const auto first = bed(request, cell);
+
+  ASSERT_NE(first, nullptr);
+  EXPECT_EQ(bed(later, cell), first);
+  EXPECT_NE(bed(shallower, cell), first);
+  EXPECT_EQ(bed(request, cell), first);
+  EXPECT_NE(bed(request, core::Metres{1000.0}), first);
+}
+
 }  // namespace
-}  // namespace floeplan::planning::cost::currents_shelf_test
+}  // namespace floeplan::planning::cost::sea_shelf_test
