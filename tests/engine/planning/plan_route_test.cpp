@@ -449,7 +449,7 @@ TEST(PlanRoute, NamesTheDepthsThatAGoalLiesOutside) {
 
   ASSERT_FALSE(found.has_value());
   EXPECT_EQ(found.error().explanation(),
-            "the goal lies 12 km east of the stored bathymetry (area of the data near here: 56° W to 50° W, "
+            "the goal lies 12.0 km east of the stored bathymetry (area of the data near here: 56° W to 50° W, "
             "67.5° N to 70.5° N)");
   EXPECT_NE(found.error().suggestion().find("--bathymetry none"), std::string::npos);
 }
@@ -461,7 +461,7 @@ TEST(PlanRoute, DoesNotAdviseToLeaveOutDepthsWhereTheCurrentsEndToo) {
       plan({.currents = currents_from(tide, 24), .bathymetry = depths}, request_beyond_the_data());
 
   ASSERT_FALSE(found.has_value());
-  EXPECT_NE(found.error().explanation().find("and 12 km east of the stored currents"), std::string::npos)
+  EXPECT_NE(found.error().explanation().find("and 12.0 km east of the stored currents"), std::string::npos)
       << found.error().explanation();
   EXPECT_EQ(found.error().suggestion(), "Move the goal, or ingest bathymetry and currents that cover it");
 }
@@ -471,7 +471,7 @@ TEST(PlanRoute, NamesTheCurrentsThatAGoalLiesOutside) {
 
   ASSERT_FALSE(found.has_value());
   EXPECT_THAT(found.error().explanation(),
-              testing::StartsWith("the goal lies 12 km east of the stored currents"));
+              testing::StartsWith("the goal lies 12.0 km east of the stored currents"));
   EXPECT_EQ(found.error().suggestion(),
             "Move the goal into the water of the currents, or ingest currents that cover it");
 }
@@ -499,7 +499,7 @@ TEST(PlanRoute, NamesAStartOutsideTheCurrentsBeforeAGoalOutsideThem) {
 
   ASSERT_FALSE(found.has_value());
   EXPECT_THAT(found.error().explanation(), testing::MatchesRegex("the start lies .* east of .*"
-                                                                 "\\. The goal lies 12 km east of .*"));
+                                                                 "\\. The goal lies 12.0 km east of .*"));
   EXPECT_EQ(found.error().at, request.from);
   EXPECT_EQ(found.error().suggestion(),
             "Move the start into the water of the currents, or ingest currents that cover it");
