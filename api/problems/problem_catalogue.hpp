@@ -342,7 +342,8 @@ inline constexpr auto problem_kinds = std::to_array<ProblemKind>({
     {.code = "store-not-writable",
      .status = 503,
      .title = "The store cannot be written",
-     .detail = "The server cannot write to its disk. The request changed nothing; tell the operator."},
+     .detail = "The server cannot write to its disk, or does not reach its database. The request changed "
+               "nothing; tell the operator."},
     {.code = "store-damaged",
      .status = 503,
      .title = "The store is damaged",
