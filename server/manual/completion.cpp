@@ -103,7 +103,8 @@ std::string for_zsh(std::span<const Command> commands) {
          "  _describe -o flag flags\n"  // zsh offers options only after a "-"
          "  (( $#commands )) || _files\n"
          "}\n"
-         "_floeplan \"$@\"\n";
+         "# From a folder of $fpath zsh runs this file as the function; eval or source only declares it.\n"
+         "if [[ $funcstack[1] == _floeplan ]]; then _floeplan \"$@\"; else compdef _floeplan floeplan; fi\n";
 }
 
 /// The condition that the command line contains this command.

@@ -79,12 +79,11 @@ TEST(FishCompletion, OffersCommandsAndThenTheirFlags) {
   EXPECT_THAT(offered_by_fish("floeplan datasets pr"), testing::StartsWith("prune"));
 }
 
-/// Prints the line that a Tab makes of the words of its second argument, in an interactive zsh with the script in the folder of
-/// its first.
+/// Prints the line that a Tab makes of the words of its second argument, in an interactive zsh that ran its first.
 constexpr const char* zsh_with_tab = R"(
 zmodload zsh/zpty
 zpty shell zsh -f -i
-zpty -w shell "unset zle_bracketed_paste; PS1=; fpath=($1 \$fpath); autoload -Uz compinit; compinit -D -u"
+zpty -w shell "unset zle_bracketed_paste; PS1=; autoload -Uz compinit; $1"
 zpty -w shell 'show() { print -r -- "<$BUFFER>" }; zle -N show; bindkey "^X" show; print READ""Y'
 zpty -r shell line '*READY*'
 zpty -w -n shell "$2"$'\t\x18'
@@ -98,20 +97,22 @@ TEST(ZshCompletion, OffersCommandsAndThenTheirFlags) {
   const support::TemporaryFolder folder;
   std::ofstream{folder.path() / "_floeplan"} << completion("zsh", commands());
   std::ofstream{folder.path() / "tab"} << zsh_with_tab;
-  const auto completed = [&](const std::string& words) {
-    const std::string here = folder.path().string();
-    EXPECT_EQ(
-        std::system(
-            ("timeout 60 zsh -f " + here + "/tab " + here + " '" + words + "' > " + here + "/out").c_str()),
-        0)
-        << words;
+  const std::string here = folder.path().string();
+  const std::string from_folder = "fpath=(" + here + " $fpath); compinit -D -u";
+  const std::string sourced = "compinit -D -u; source " + here + "/_floeplan";
+  const auto completed = [&](const std::string& words, const std::string& set_up) {
+    const std::string command =
+        "timeout 60 zsh -f " + here + "/tab '" + set_up + "' '" + words + "' > " + here + "/out";
+    EXPECT_EQ(std::system(command.c_str()), 0) << words;
     std::ifstream out{folder.path() / "out"};
     return std::string{std::istreambuf_iterator<char>{out}, {}};
   };
 
-  EXPECT_EQ(completed("floeplan pl"), "floeplan plan \n");
-  EXPECT_EQ(completed("floeplan datasets pr"), "floeplan datasets prune \n");
-  EXPECT_THAT(completed("floeplan plan --mar"), testing::StartsWith("floeplan plan --margin"));
+  for (const std::string& set_up : {from_folder, sourced}) {
+    EXPECT_EQ(completed("floeplan pl", set_up), "floeplan plan \n");
+    EXPECT_EQ(completed("floeplan datasets pr", set_up), "floeplan datasets prune \n");
+    EXPECT_THAT(completed("floeplan plan --mar", set_up), testing::StartsWith("floeplan plan --margin"));
+  }
 }
 
 TEST(Completions, AreRefusedForAnotherShell) {
