@@ -17,24 +17,14 @@
 #include "api/fields/process_fields.hpp"
 #include "engine/core/shown_text.hpp"
 #include "engine/core/utc_text.hpp"
+#include "engine/geo/written_place.hpp"
 #include "engine/messages/sentence.hpp"
 
 namespace floeplan::codec {
 namespace {
 
-/// "69 10.245 N": whole degrees and decimal minutes; the angle is rounded only once.
-std::string degrees_minutes(double degrees, char positive, char negative) {
-  const auto thousandths = static_cast<long>(std::llround(std::abs(degrees) * 60'000.0));
-  std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), "%ld %06.3f %c", thousandths / 60'000,
-                static_cast<double>(thousandths % 60'000) / 1000.0, degrees < 0.0 ? negative : positive);
-  return text.data();
-}
-
-/// "69 10.245 N, 51 21.000 W"
 std::string position_text(geo::LonLat place) {
-  return degrees_minutes(place.lat_deg, 'N', 'S') + ", " +
-         degrees_minutes(geo::wrap_longitude(place.lon_deg), 'E', 'W');
+  return geo::latitude_text(place.lat_deg) + " " + geo::longitude_text(place.lon_deg);
 }
 
 std::string number(std::optional<double> value, int decimals, double factor = 1.0) {
@@ -102,7 +92,7 @@ std::vector<std::string> hold_facts(const planning::Plan& plan) {
   return facts;
 }
 
-/// "Safe places: R1 69 12.000 N, 53 12.000 W; R2 ...", by the names that the map gives them.
+/// "Safe places: R1 69°12.000′N 053°12.000′W; R2 ...", by the names that the map gives them.
 std::string safe_places_fact(const std::vector<geo::LonLat>& places) {
   std::string text = "Safe places:";
   for (std::size_t i = 0; i < places.size(); ++i)
@@ -188,8 +178,8 @@ std::vector<std::vector<std::string>> brief_rows(const planning::Plan& plan) {
   std::vector<std::vector<std::string>> rows;
   rows.reserve(plan.waypoints.size());
   for (const planning::Waypoint& waypoint : plan.waypoints) {
-    rows.push_back({waypoint_label(rows.size()), degrees_minutes(waypoint.place.lat_deg, 'N', 'S'),
-                    degrees_minutes(geo::wrap_longitude(waypoint.place.lon_deg), 'E', 'W'),
+    rows.push_back({waypoint_label(rows.size()), geo::latitude_text(waypoint.place.lat_deg),
+                    geo::longitude_text(waypoint.place.lon_deg),
                     core::iso8601(waypoint.eta), number(bare(waypoint.leg_length), 2, 1e-3),
                     number(waypoint.course_deg, 1), number(bare(waypoint.speed_over_ground), 3),
                     number(bare(waypoint.depth), 0), may_surface(plan, rows.size()),

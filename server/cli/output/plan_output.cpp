@@ -12,6 +12,7 @@
 #include "api/codec/documents/alternative_document.hpp"
 #include "engine/core/shown_text.hpp"
 #include "engine/core/utc_text.hpp"
+#include "engine/geo/written_place.hpp"
 #include "server/cli/program/command.hpp"
 #include "storage/json/json.hpp"
 
@@ -22,15 +23,6 @@ using nlohmann::json;
 
 /// Lines of a summary in addition to the waypoints, so that everything fits on one screen.
 constexpr std::size_t most_summary_lines = 25;
-
-/// "69 10.245 N": whole degrees and decimal minutes, as pilots read positions.
-std::string degrees_minutes(double degrees, char positive, char negative) {
-  const auto thousandths = static_cast<long>(std::llround(std::abs(degrees) * 60'000.0));
-  std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), "%3ld %06.3f %c", thousandths / 60'000,
-                static_cast<double>(thousandths % 60'000) / 1000.0, degrees < 0.0 ? negative : positive);
-  return text.data();
-}
 
 std::string cell(const json& value, const char* format, double factor = 1.0) {
   if (!value.is_number()) return "-";
@@ -50,9 +42,9 @@ void print_table(const json& plan) {
               "leg km", "course", "SOG m/s", "depth m", "kJ", "propulsion");
   for (const json& waypoint : plan.at("waypoints")) {
     std::printf(
-        "%-4s %-14s %-14s %-20s %9s %8s %8s %7s %8s  %s\n", label(waypoint.at("index")).c_str(),
-        degrees_minutes(waypoint.at("lat"), 'N', 'S').c_str(),
-        degrees_minutes(waypoint.at("lon"), 'E', 'W').c_str(), waypoint.at("eta").get<std::string>().c_str(),
+        "%-4s %s    %s   %-20s %9s %8s %8s %7s %8s  %s\n", label(waypoint.at("index")).c_str(),
+        geo::latitude_text(waypoint.at("lat")).c_str(), geo::longitude_text(waypoint.at("lon")).c_str(),
+        waypoint.at("eta").get<std::string>().c_str(),
         cell(waypoint.at("leg_m"), "%.2f", 1e-3).c_str(), cell(waypoint.at("course_deg"), "%.1f").c_str(),
         cell(waypoint.at("speed_over_ground_m_s"), "%.3f").c_str(),
         cell(waypoint.at("depth_m"), "%.0f").c_str(), cell(waypoint.at("energy_j"), "%.1f", 1e-3).c_str(),
@@ -169,18 +161,17 @@ void print_surfacings(const json& plan) {
   for (const json& planned : surfacing.at("planned")) {
     std::printf("surface at %s, %s %s, position known to %s m before the fix\n",
                 planned.at("time").get<std::string>().c_str(),
-                degrees_minutes(planned.at("lat"), 'N', 'S').c_str(),
-                degrees_minutes(planned.at("lon"), 'E', 'W').c_str(),
+                geo::latitude_text(planned.at("lat")).c_str(),
+                geo::longitude_text(planned.at("lon")).c_str(),
                 cell(planned.at("position_error_m"), "%.0f").c_str());
   }
   for (const json& escape : surfacing.at("escapes")) {
     if (escape.at("time_s") == 0.0) continue;
     const json& to = escape.at("to");
-    std::printf("escape from waypoint %s: course %s, %s km to %s %s, %s h, %s MJ\n",
+    std::printf("escape from waypoint %s: course %s, %s km to %s %s, %s, %s MJ\n",
                 label(escape.at("waypoint")).c_str(), cell(escape.at("course_deg"), "%.1f").c_str(),
-                cell(escape.at("distance_m"), "%.2f", 1e-3).c_str(), degrees_minutes(to[1], 'N', 'S').c_str(),
-                degrees_minutes(to[0], 'E', 'W').c_str(),
-                cell(escape.at("time_s"), "%.2f", 1.0 / 3600.0).c_str(),
+                cell(escape.at("distance_m"), "%.2f", 1e-3).c_str(), geo::latitude_text(to[1]).c_str(),
+                geo::longitude_text(to[0]).c_str(), duration(escape.at("time_s")).c_str(),
                 cell(escape.value("energy_j", json()), "%.3f", 1e-6).c_str());
   }
 }
@@ -189,8 +180,8 @@ void print_surfacings(const json& plan) {
 void print_passages(const json& plan) {
   if (const json trade = plan.value("encounter_trade", json()); !trade.is_null()) {
     const json& before = trade.at("before");
-    std::printf("without the weight on encounters: %s h, %s encounters expected\n",
-                cell(before.at("travel_time_s"), "%.2f", 1.0 / 3600.0).c_str(),
+    std::printf("without the weight on encounters: %s, %s encounters expected\n",
+                duration(before.at("travel_time_s")).c_str(),
                 cell(before.at("iceberg_encounters"), "%.2g").c_str());
   }
   for (const json& under : plan.value("passed_under", json::array())) {
@@ -277,8 +268,7 @@ void print_gravest(const json& plan, std::size_t other_lines) {
 std::string headline(const json& plan) {
   const std::string id = plan.at("plan_id").is_string() ? plan.at("plan_id").get<std::string>() : "";
   return (id.empty() ? "route" : id) + "  " + plan.at("departure").get<std::string>() + " to " +
-         plan.at("arrival").get<std::string>() + ", " +
-         cell(plan.at("travel_time_s"), "%.2f h", 1.0 / 3600.0) + ", " +
+         plan.at("arrival").get<std::string>() + ", " + duration(plan.at("travel_time_s")) + ", " +
          cell(plan.at("distance_m"), "%.1f km", 1e-3);
 }
 
@@ -320,8 +310,8 @@ void print_everything(const json& plan) {
 std::string why_no_plan(const json& document) {
   const json& at = document.at("at");
   std::string text = document.at("explanation").get<std::string>() +
-                     "\n  where: " + degrees_minutes(at.at("lat"), 'N', 'S') + ' ' +
-                     degrees_minutes(at.at("lon"), 'E', 'W');
+                     "\n  where: " + geo::latitude_text(at.at("lat")) + ' ' +
+                     geo::longitude_text(at.at("lon"));
   if (const std::string hint = document.at("suggestion"); !hint.empty()) text += "\n  what to do: " + hint;
   for (const json& change : document.at("changes")) {
     text += "\n  would help: " + change.at("text").get<std::string>();

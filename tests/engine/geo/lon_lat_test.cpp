@@ -68,5 +68,17 @@ TEST(WrittenPlace, IsTheSameHoweverItsLongitudeIsCounted) {
   EXPECT_FALSE(written_place(std::numeric_limits<double>::quiet_NaN(), 0.0).has_value());
 }
 
+TEST(WrittenAngles, AreDegreesAndMinutesOfOneWidth) {
+  EXPECT_EQ(latitude_text(67.2), "67°12.000′N");
+  EXPECT_EQ(latitude_text(-5.5), "05°30.000′S");
+  EXPECT_EQ(longitude_text(-53.2), "053°12.000′W");
+  EXPECT_EQ(longitude_text(190.25), "169°45.000′W");
+}
+
+TEST(WrittenAngles, CarryFullMinutesIntoTheDegrees) {
+  EXPECT_EQ(latitude_text(69.9999999), "70°00.000′N");
+  EXPECT_EQ(longitude_text(12.99999999), "013°00.000′E");
+}
+
 }  // namespace
 }  // namespace floeplan::geo::lon_lat_test

@@ -111,7 +111,7 @@ TEST_F(DemoStore, SaysLineByLineWhyThereIsNoPlan) {
 
   EXPECT_EQ(refused.exit_code, 1);
   EXPECT_THAT(refused.err, testing::MatchesRegex("floeplan: no plan: the goal lies on land[^\n]*\n"
-                                                 "  where: +69 30.000 N +53 00.000 W\n"
+                                                 "  where: 69°30.000′N 053°00.000′W\n"
                                                  "  what to do: [^\n]*\n"
                                                  "(  would help: move the goal [^\n]*\n)?"
                                                  "[^/_]*"))

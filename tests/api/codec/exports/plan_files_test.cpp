@@ -308,7 +308,7 @@ TEST(PlanBrief, IsOnePageThatNeedsNothingElse) {
 
   EXPECT_EQ(picture.land.size(), 1U);
   EXPECT_EQ(picture.icebergs.size(), 1U);
-  EXPECT_THAT(html, HasSubstr("<td>69 12.000 N</td><td>53 15.000 W</td><td>2026-11-20T06:00:00Z</td>"));
+  EXPECT_THAT(html, HasSubstr("<td>69°12.000′N</td><td>053°15.000′W</td><td>2026-11-20T06:00:00Z</td>"));
   EXPECT_THAT(html, HasSubstr("Mind the &lt;ice&gt;."));
   EXPECT_THAT(html, HasSubstr("&lt;bergs&gt; (icebergs-1), sha256 abc"));
   EXPECT_THAT(html, HasSubstr("<li>Changed.</li>"));
@@ -371,7 +371,7 @@ TEST(PlanBrief, NamesTheNearestIcebergTheEncountersAndTheSafePlaces) {
   EXPECT_THAT(facts, testing::Contains(HasSubstr("Least distance to icebergs 812 m (B-17), to land")));
   EXPECT_THAT(facts, testing::Contains("Expected encounters with icebergs: 0.03."));
   EXPECT_THAT(facts,
-              testing::Contains("Safe places: R1 69 12.000 N, 53 12.000 W; R2 69 00.000 N, 53 00.000 W."));
+              testing::Contains("Safe places: R1 69°12.000′N 053°12.000′W; R2 69°00.000′N 053°00.000′W."));
   EXPECT_THAT(plan_document(plan, "p-01", "").at("clearances").at("iceberg_id"), "B-17");
 }
 
@@ -394,7 +394,7 @@ TEST(PlanBrief, GroupsItsMessagesByRankWithTheirPlaces) {
   ASSERT_EQ(told.size(), 2U);
   EXPECT_EQ(told[0].title, "Dangers");
   ASSERT_EQ(told[0].sentences.size(), 1U) << "each once";
-  EXPECT_THAT(told[0].sentences[0], testing::EndsWith(" (69 07.500 N, 53 00.000 W)."));
+  EXPECT_THAT(told[0].sentences[0], testing::EndsWith(" (69°07.500′N 053°00.000′W)."));
   EXPECT_EQ(told[1].sentences.size(), 1U);
 }
 
@@ -415,7 +415,7 @@ TEST(PlanBrief, WritesPositionsInSentencesAsInTheTable) {
   const auto told = brief_messages(plan, {"p-01", "", plan.departure, {}});
 
   ASSERT_EQ(told.size(), 1U);
-  EXPECT_THAT(told[0].sentences.at(0), testing::StartsWith("At 69 10.242 N, 51 21.000 W the route passes"));
+  EXPECT_THAT(told[0].sentences.at(0), testing::StartsWith("At 69°10.242′N 051°21.000′W the route passes"));
 }
 
 TEST(IceSection, DrawsDraftKeelsAndTurnsTrueToScale) {

@@ -62,7 +62,7 @@ TEST_F(PlanCheckTest, TheBriefOfADangerousPlanIsHandedOutAndTellsItsDangersAndTh
   const auto brief = ask("GET", std::string{stored} + "/mission.html?safe=-53.2,69.2");
   EXPECT_EQ(brief.status, 200) << brief.body;
   EXPECT_THAT(brief.body, HasSubstr("ce lies above the start"));
-  EXPECT_THAT(brief.body, HasSubstr("Safe places: R1 69 12.000 N, 53 12.000 W."));
+  EXPECT_THAT(brief.body, HasSubstr("Safe places: R1 69°12.000′N 053°12.000′W."));
   EXPECT_EQ(ask("GET", std::string{stored} + "/mission.html?safe=here").status, 400);
   EXPECT_EQ(ask("GET", std::string{stored} + "/mission.gpx?safe=-53.2,69.2").status, 400) << "not of a page";
 }
