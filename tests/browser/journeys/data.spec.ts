@@ -22,7 +22,7 @@ test('a new file of icebergs is dropped, checked and summed up, and plans made b
   await drop(page, [bergFile(start)]);
   const done = card(page, 'sighted-today.geojson');
   await expect(done).toContainText('2 accepted, 1 refused');
-  await expect(done.getByText('Warnings')).toBeVisible();
+  await expect(done.getByText('Messages')).toBeVisible();
   await expect(page.getByRole('region', { name: 'Stale data' })).toContainText('sighted-today');
   await done.getByRole('button', { name: 'Dismiss the import of sighted-today.geojson' }).click();
   await expect(done).toBeHidden();

@@ -40,7 +40,7 @@ export const optionNames = Object.keys(ingestOptions) as OptionName[];
 export const emptyForm = Object.fromEntries(optionNames.map((name) => [name, ''])) as IngestForm;
 
 const optionNamed = (flag: string): OptionName | undefined => optionNames.find((name) => name === flag.replaceAll('-', '_'));
-const flags = /--([a-z-]+[a-z])/g;
+const flags = /--([a-z-]+[a-z])(?: ([a-z_-]+))?/g;
 
 /** The options that a refusal asks for; it names them by their command line flags. */
 export function askedFor(errors: string[]): OptionName[] {
@@ -48,11 +48,15 @@ export function askedFor(errors: string[]): OptionName[] {
   return optionNames.filter((name) => named.includes(name));
 }
 
-/** A refusal with the form's names of the options. */
-export const inWords = (error: string): string =>
-  error.replace(flags, (whole, flag: string) => {
+/** A message about a file with the form's names of the options and of their choices. */
+export const inWords = (text: string): string =>
+  text.replace(flags, (whole, flag: string, value?: string) => {
     const option = optionNamed(flag);
-    return option ? `“${ingestOptions[option].title}”` : whole;
+    if (!option) return whole;
+    const { title, choices } = ingestOptions[option];
+    const choice = choices?.find(([name, words]) => name === value && !words.includes(':')); // not “up: elevations” for up
+    if (choice) return `“${title}: ${choice[1]}”`;
+    return value === undefined ? `“${title}”` : `“${title}” ${value}`;
   });
 
 /** The options in the form of the request, or the faults in them. */

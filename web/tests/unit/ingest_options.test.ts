@@ -12,6 +12,7 @@ describe('what a refused file leaves open', () => {
 
   it('is worded as the form calls its fields', () => {
     expect(inWords(sign)).toContain('say “Positive” up (elevations) or “Positive” down (depths)');
+    expect(inWords('ingest the file again with --kind ice')).toBe('ingest the file again with “Kind: sea ice”');
     expect(inWords('an unknown --option')).toBe('an unknown --option');
   });
 

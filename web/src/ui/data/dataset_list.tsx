@@ -4,6 +4,7 @@ import { deleteDataset } from '../../actions/session';
 import type { Dataset } from '../../contract/data_types';
 import { covered, toggleCoverage } from '../../model/coverage';
 import { byHand, connectionFault, damagedDatasets, datasets, isEmptyStore, isInUse } from '../../model/datasets';
+import { inWords } from '../../model/ingest_options';
 import { may } from '../../model/login';
 import { asSentence } from '../../model/page_words';
 import { plans } from '../../model/plan/plans';
@@ -14,7 +15,7 @@ import { borderOf } from '../../geo/boxes';
 import { Icon, IconButton } from '../common/icon';
 import { TrackList } from './track_list';
 
-/** All stored datasets with their times, sizes and warnings. */
+/** All stored datasets with their times, sizes and messages. */
 export function DatasetList(): VNode {
   if (datasets.value === undefined) {
     return <p class="quiet">{connectionFault.value ? 'What the store holds is not known: the server does not answer.' : 'Reading the store …'}</p>;
@@ -63,8 +64,8 @@ function Row({ dataset }: { dataset: Dataset }): VNode {
       {kind === 'glider-tracks' && <TrackList dataset={id} name={name} />}
       {warnings.length > 0 && (
         <details class="dataset-warnings">
-          <summary><Icon name="warning" size={12} /> {warnings.length === 1 ? '1 warning' : `${warnings.length} warnings`}</summary>
-          <ul class="report-texts">{warnings.map((text) => <li key={text}>{text}</li>)}</ul>
+          <summary><Icon name="warning" size={12} /> {warnings.length === 1 ? '1 message' : `${warnings.length} messages`}</summary>
+          <ul class="report-texts">{warnings.map((text) => <li key={text}>{asSentence(inWords(text))}</li>)}</ul>
         </details>
       )}
       {fault && <p class="fault" role="alert">{fault}</p>}

@@ -18,7 +18,7 @@ export function Report({ report, number }: { report: FileReport; number: number 
       <p class="report-title"><Icon name={status === 'refused' ? 'warning' : 'database'} size={14} /> <b>{titles[status]}</b> {kind ? `${kind}: ` : ''}{name ?? file}</p>
       {kind === 'icebergs' && <p>{rows_accepted.toLocaleString('en')} accepted{rows_refused > 0 ? `, ${rows_refused.toLocaleString('en')} refused` : ''}</p>}
       <Texts texts={errors.map(inWords)} title="What is wrong" />
-      <Texts texts={warnings} title="Warnings" />
+      <Texts texts={warnings.map(inWords)} title="Messages" />
       {status === 'refused' && <Options report={report} number={number} />}
       {dataset_id !== null && (
         <button type="button" class="link" aria-pressed={isCovered} onClick={() => toggleCoverage(dataset_id)}>{isCovered ? 'Hide' : 'Show'} its coverage</button>

@@ -37,7 +37,7 @@ export function EmptyStore(): VNode | null {
   return (
     <section class="empty-store" aria-label="Empty store">
       <h2>The store is empty</h2>
-      <p>Planning needs depths and currents; coastline and icebergs make it safe.</p>
+      <p>Plans use depths and currents. A coastline, sea ice and icebergs make them safer.</p>
       <FileChooser />
       <p>Demonstration data are written by <code>floeplan demo FOLDER</code> on the machine that runs Floeplan.</p>
       {again}
