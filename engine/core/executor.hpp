@@ -28,8 +28,8 @@ class Executor {
   /// Errors  rethrows the first exception of a piece; some pieces are then left out
   virtual void run(std::size_t count, const Piece& piece) const = 0;
 
-  /// Pieces of work whose results are bytes, so that another process may do some of them: one that does the same
-  /// job with the same data and the same version, and therefore comes to the same parts.
+  /// A job in parts whose results are bytes, so that another process may do some of the parts. That process
+  /// does the same job with the same data and the same version, so it divides the job in the same way.
   struct Parts {
     std::size_t count{};
     /// Does a part, as a piece. Empty: it was stopped before its end.

@@ -294,7 +294,7 @@ inline constexpr auto data_kinds = std::to_array<Kind>({
      .rank = Rank::caution,
      .text = "the tidal currents of {tides} are added to the currents {currents}. If those currents already "
              "include the tide, it counts twice",
-     .hint = "If they do, plan without the tides (--tides none)",
+     .hint = "Ask the producer of the currents. If they include the tide, plan without the tides (--tides none)",
      .slots = {{{"tides", "bay tides (tides-1)"}, {"currents", "bay model (currents-1)"}}}},
     {.code = "tides-unknown",
      .rank = Rank::caution,

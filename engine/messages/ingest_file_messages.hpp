@@ -319,7 +319,7 @@ inline constexpr auto ingest_file_kinds = std::to_array<Kind>({
     {.code = "other-data-not-stored",
      .rank = Rank::note,
      .text = "the file also holds {what}, which were not stored with its currents",
-     .hint = "Store them with --kind {kind} in a second command",
+     .hint = "To store them too, ingest the file again with --kind {kind}",
      .slots = {{{"what", "depths of the sea bed"}, {"kind", "bathymetry"}}}},
 });
 

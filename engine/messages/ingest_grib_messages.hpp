@@ -199,7 +199,7 @@ inline constexpr auto ingest_grib_kinds = std::to_array<Kind>({
     {.code = "grib-layers-overlap",
      .rank = Rank::caution,
      .text = "the currents in the GRIB file are means over layers that overlap ({layers}), and it is not "
-             "known which of them holds at a depth",
+             "known which of them applies at a depth",
      .hint = "Give a file with one set of layers",
      .slots = {{{"layers", "0 to 10 m and 5 to 20 m"}}}},
     {.code = "grib-layers",

@@ -63,7 +63,7 @@ inline constexpr auto ingest_iceberg_kinds = std::to_array<Kind>({
     {.code = "iceberg-sizes-not-stated",
      .rank = Rank::note,
      .text = "the list states no sizes. Every iceberg counts as 10 nautical miles long, the smallest size "
-             "that the US National Ice Center names"},
+             "to which the US National Ice Center gives a name"},
     {.code = "icebergs-in-warm-water",
      .rank = Rank::caution,
      .text =

@@ -139,7 +139,7 @@ inline constexpr auto ingest_velocity_kinds = std::to_array<Kind>({
     {.code = "title-contradicts",
      .rank = Rank::caution,
      .text = "the title of the file (\"{title}\") speaks of {what}, but {variables} do not. They were stored "
-             "as the {stored}. If the title is right, they are something else",
+             "as the {stored}. If the title is right, this is wrong",
      .hint = "Ask the producer before you plan",
      .slots = {{{"title", "Monthly standard deviation"},
                 {"what", "a standard deviation"},

@@ -88,34 +88,39 @@ inline constexpr auto mission_fault_kinds = std::to_array<Kind>({
 
     // Safe places, and the draft of icebergs to expect.
     {.code = "wrong-number-of-safe-places",
-     .text = "must name one to eight safe places in open water, to which the vehicle can recover"},
+     .text = "must name one to eight safe places: open water that the vehicle can reach for recovery"},
     {.code = "safe-place-near-pole", .text = "must be a place between 89 degrees south and 89 degrees north"},
     {.code = "safe-place-on-land",
-     .text = "must be open water to which the vehicle can recover, but {place} is on land",
+     .text = "must be open water that the vehicle can reach for recovery, but {place} is on land",
      .hint = "choose another place",
      .slots = {{{"place", "-53.2000, 69.2000"}}}},
     {.code = "safe-place-too-shallow",
-     .text = "must be open water to which the vehicle can recover, but {place} has only {bed_m:.0f} m of "
+     .text = "must be open water that the vehicle can reach for recovery, but "
+             "{place} has only {bed_m:.0f} m of "
              "water, and the vehicle needs {needed_m:.0f} m",
      .hint = "choose another place",
      .slots = {{{"place", "-53.2000, 69.2000"}, {"bed_m", 12.0}, {"needed_m", 20.0}}}},
     {.code = "safe-place-in-ice",
-     .text = "must be open water to which the vehicle can recover, but {place} has {ice_pct:.0f} % of "
+     .text = "must be open water that the vehicle can reach for recovery, but "
+             "{place} has {ice_pct:.0f} % of "
              "ice during the plan, and the vehicle surfaces in at most {most_pct:.0f} %",
      .hint = "choose another place",
      .slots = {{{"place", "-53.2000, 69.2000"}, {"ice_pct", 40.0}, {"most_pct", 10.0}}}},
     {.code = "safe-place-in-zone",
-     .text = "must be open water to which the vehicle can recover, but {place} lies in the no-go area "
+     .text = "must be open water that the vehicle can reach for recovery, but "
+             "{place} lies in the no-go area "
              "{zone}",
      .hint = "choose another place",
      .slots = {{{"place", "-53.2000, 69.2000"}, {"zone", "Harbour"}}}},
     {.code = "safe-place-at-iceberg",
-     .text = "must be open water to which the vehicle can recover, but iceberg {iceberg} was last seen "
+     .text = "must be open water that the vehicle can reach for recovery, but "
+             "iceberg {iceberg} was last seen "
              "at {place}",
      .hint = "choose another place",
      .slots = {{{"place", "-53.2000, 69.2000"}, {"iceberg", "B-17"}}}},
     {.code = "safe-place-too-far",
-     .text = "must be open water to which the vehicle can recover, but {place} is {away_km:distance} from "
+     .text = "must be open water that the vehicle can reach for recovery, but "
+             "{place} is {away_km:distance} from "
              "the plan, farther than the rest of the battery carries the vehicle",
      .hint = "choose a nearer place",
      .slots = {{{"place", "-53.2000, 69.2000"}, {"away_km", 240.0}}}},

@@ -207,9 +207,8 @@ void add_export(CLI::App& app, Program& program) {
       "least");
   command
       ->add_option("--glider", flags->glider,
-                   "Write into gliders/GLIDER/to-glider below --out, where a dockserver takes files from (a "
-                   "Seaglider's "
-                   "into GLIDER)")
+                   "Write into gliders/GLIDER/to-glider below --out, the folder of a dockserver "
+                   "(for a Seaglider: into GLIDER)")
       ->check(check_glider);
   command->add_flag("--zip", flags->zip, "Write one ZIP archive instead of the files");
   command->add_flag("--force", flags->force, "Replace files that exist");

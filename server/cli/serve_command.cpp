@@ -79,7 +79,7 @@ void add_serve(CLI::App& app, Program& program) {
   command->add_flag("--https-only", options->https_only,
                     "Tell browsers to use only HTTPS for a year (HSTS); not with a self-signed certificate");
   command->add_flag("--behind-proxy", options->behind_proxy,
-                    "A reverse proxy handles TLS, and appends its client to X-Forwarded-For");
+                    "A reverse proxy handles TLS, and appends the client's address to X-Forwarded-For");
   command->add_option("--allow-origin", options->allow_origins,
                       "Site with pages that may send requests from a browser, for example "
                       "https://map.example; may be repeated");

@@ -16,7 +16,7 @@ namespace floeplan::sql {
 
 class Statement;
 
-/// Runs an INSERT that returns one whole number, such as the new row's, to its end.
+/// Runs an INSERT to its end that returns one whole number, such as the number of the new row.
 /// Returns  that number
 /// Errors   Failure when it inserts nothing
 [[nodiscard]] std::int64_t inserted_number(Statement& insert);

@@ -57,7 +57,7 @@ tl::expected<std::size_t, core::Violations> named(const std::vector<NamedRoute>&
   return refused<"no-such-route">(core::cut_short(wanted, longest_name), titles(routes));
 }
 
-/// The index of the only route that need not be named.
+/// The index of the file's only route, apart from those set aside. With several, the caller must name one.
 tl::expected<std::size_t, core::Violations> only_one(const std::vector<NamedRoute>& routes) {
   const auto counts = [](const NamedRoute& route) { return route.aside.empty(); };
   const auto count = std::ranges::count_if(routes, counts);
