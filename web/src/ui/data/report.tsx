@@ -4,6 +4,7 @@ import { readAgain } from '../../actions/importing';
 import type { FileReport } from '../../contract/data_types';
 import { toggleCoverage, covered } from '../../model/coverage';
 import { askedFor, emptyForm, ingestOptions, inWords, optionNames, optionsOf, type IngestForm, type OptionName } from '../../model/ingest_options';
+import { asSentence } from '../../model/page_words';
 import { Icon } from '../common/icon';
 
 const titles = { stored: 'Stored', unchanged: 'In the store already', refused: 'Refused' } as const;
@@ -17,8 +18,8 @@ export function Report({ report, number }: { report: FileReport; number: number 
     <div class={`report ${status}`}>
       <p class="report-title"><Icon name={status === 'refused' ? 'warning' : 'database'} size={14} /> <b>{titles[status]}</b> {kind ? `${kind}: ` : ''}{name ?? file}</p>
       {kind === 'icebergs' && <p>{rows_accepted.toLocaleString('en')} accepted{rows_refused > 0 ? `, ${rows_refused.toLocaleString('en')} refused` : ''}</p>}
-      <Texts texts={errors.map(inWords)} title="What is wrong" />
-      <Texts texts={warnings.map(inWords)} title="Messages" />
+      <Texts texts={errors} title="What is wrong" />
+      <Texts texts={warnings} title="Messages" />
       {status === 'refused' && <Options report={report} number={number} />}
       {dataset_id !== null && (
         <button type="button" class="link" aria-pressed={isCovered} onClick={() => toggleCoverage(dataset_id)}>{isCovered ? 'Hide' : 'Show'} its coverage</button>
@@ -34,7 +35,7 @@ function Texts({ texts, title }: { texts: string[]; title: string }): VNode | nu
   return (
     <div>
       <h4>{title} <span class="unit">{texts.length}</span></h4>
-      <ul class="report-texts">{texts.slice(0, texts.length - hidden).map((text, i) => <li key={i}>{text}</li>)}</ul>
+      <ul class="report-texts">{texts.slice(0, texts.length - hidden).map((text, i) => <li key={i}>{asSentence(inWords(text))}</li>)}</ul>
       {hidden > 0 && <button type="button" class="link" onClick={() => setAll(true)}>Show {hidden} more</button>}
     </div>
   );
