@@ -50,9 +50,9 @@ struct JobRecord {
   std::optional<std::string> digest{};
   std::string reply_json{"{}"};  // the outputs that the client wants, and their form
   JobStatus status{JobStatus::accepted};
-  std::string stage;  // name of the current stage of the work
-  double progress{};  // 0 to 1
-  int attempts{};     // number of times that a worker has started it
+  std::string stage{};  // name of the current stage of the work
+  double progress{};    // 0 to 1
+  int attempts{};       // number of times that a worker has started it
   core::UtcTime created;
   std::optional<core::UtcTime> started;
   std::optional<core::UtcTime> finished;

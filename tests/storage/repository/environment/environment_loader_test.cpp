@@ -410,8 +410,11 @@ TEST_F(EnvironmentLoaderTest, CountsEveryBergOnce) {
       if (!message.code.starts_with("sightings-")) continue;
       for (const auto& [name, value] : message.values) {
         if (name == "ignored") counted += std::get<std::int64_t>(value);
-        if (name == "known") EXPECT_EQ(std::get<std::int64_t>(value), bergs);
-        if (name == "used") EXPECT_EQ(std::get<std::int64_t>(value), std::ssize(environment.icebergs));
+        if (name == "known") {
+          EXPECT_EQ(std::get<std::int64_t>(value), bergs);
+        } else if (name == "used") {
+          EXPECT_EQ(std::get<std::int64_t>(value), std::ssize(environment.icebergs));
+        }
       }
     }
     EXPECT_EQ(counted, bergs);
