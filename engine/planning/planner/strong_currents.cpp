@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/core/packed_parts.hpp"
 #include "engine/geo/geodesic.hpp"
 #include "engine/messages/plan_messages.hpp"
 #include "engine/messages/refusal_messages.hpp"
@@ -83,9 +84,85 @@ bool takes_more_than_one_try(const Plan& known, const ocean::Environment& enviro
          allows_more_grids(environment, request);
 }
 
-bool is_cheaper(const Plan& a, const Plan& b, const Objective& objective) {
-  return cost_of(a, objective) < cost_of(b, objective);
-}
+/// Plans on further grids, and keeps the best.
+class MoreGrids {
+ public:
+  /// `task` and `plan_once` are borrowed and must outlive this.
+  MoreGrids(Result<Plan> known, const Task& task, const Planning& plan_once)
+      : task_{task}, plan_once_{plan_once}, best_{std::move(known)}, is_known_{best_.has_value()} {
+    if (is_known_) highest_ = cost_of(*best_, objective());
+  }
+
+  /// Whether there is no plan yet, or the plan that was known is still to be compared.
+  [[nodiscard]] bool need_more() const { return is_known_ || !best_; }
+
+  /// Plans these tasks, at the same time if the executor can. Once the stop is requested the result is incomplete.
+  void try_all(const std::vector<Task>& tasks) {
+    const core::ProgressCallback part = parts_.next();
+    core::CountOfEnded ended{[&](std::size_t count) {
+      part("more grids", static_cast<double>(count) / static_cast<double>(tasks.size()));
+    }};
+    part("more grids", 0.0);
+    const auto plan = [&](std::size_t i) {
+      const Task& to_try = tasks[i];
+      return plan_once_((best_ ? to_try.to_beat(*best_) : to_try).as_piece());
+    };
+    const auto cost_if_found = [&](const Result<Plan>& found) {
+      return found ? std::optional{cost_of(*found, objective())} : std::nullopt;
+    };
+    std::vector<Result<Plan>> found(tasks.size(), tl::unexpected(Infeasible{}));
+    std::vector<std::optional<double>> costs(tasks.size());
+    using Cost = std::optional<double>;
+    core::run_packed_parts<Cost>(
+        task_.executor, tasks.size(),
+        [&](std::size_t i, bool is_caller) -> std::optional<Cost> {
+          found[i] = plan(i);
+          if (task_.stop.stop_requested()) return std::nullopt;
+          ended.add(is_caller);
+          return cost_if_found(found[i]);
+        },
+        [&](std::size_t i, Cost cost, bool elsewhere) {
+          costs[i] = cost;
+          if (elsewhere) ended.add(true);
+        });
+    if (task_.stop.stop_requested()) return;
+    std::optional<std::size_t> cheapest;
+    double least = best_ ? cost_of(*best_, objective()) : INFINITY;
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+      all_found_ = all_found_ && costs[i];
+      if (!costs[i]) continue;
+      highest_ = std::max(highest_, *costs[i]);
+      if (*costs[i] >= least) continue;
+      least = *costs[i];
+      cheapest = i;
+    }
+    if (!cheapest) return;
+    // Of a plan that another process made only the cost is known.
+    best_ = found[*cheapest] ? std::move(found[*cheapest]) : plan(*cheapest);
+  }
+
+  /// `looked_for`  the request with the most room that was tried
+  [[nodiscard]] Result<Plan> result(const PlanRequest& looked_for) && {
+    if (!best_) return tl::unexpected(with_area_searched(std::move(best_.error()), looked_for));
+    const bool agree =
+        is_known_ && all_found_ && highest_ <= (1.0 + agreement) * cost_of(*best_, objective());
+    best_->messages.insert(best_->messages.begin(),
+                           agree ? messages::plan_message<"several-grids-agree">(100.0 * agreement)
+                                 : messages::plan_message<"several-grids-tried">());
+    return std::move(best_);
+  }
+
+ private:
+  [[nodiscard]] Objective objective() const { return task_.request.objective(); }
+
+  const Task& task_;
+  const Planning& plan_once_;
+  core::PartsOfProgress parts_{task_.progress, "more grids"};
+  Result<Plan> best_;
+  bool is_known_;
+  bool all_found_{true};
+  double highest_{0.0};
+};
 
 }  // namespace
 
@@ -153,35 +230,26 @@ Result<Plan> best_of_more_grids(Result<Plan> known, const Task& task, const Plan
   const bool is_worth_it = known ? takes_more_than_one_try(*known, environment, request)
                                  : more_room_may_help(known.error(), environment, request, stop);
   if (!is_worth_it) return known;
-  Result<Plan> best = std::move(known);
-  const bool is_known = best.has_value();
-  bool all_found = is_known;
-  double highest = is_known ? cost_of(*best, request.objective()) : 0.0;
-  core::PartsOfProgress parts{progress, "more grids"};
-  const auto consider = [&](const ocean::Environment& sea, const PlanRequest& other) {
-    if (stop.stop_requested()) return;
-    const core::ProgressCallback part = parts.next();
-    const Task in_sea = task.in(sea);
-    const Task asked = in_sea.with(other);
-    const Task tried = asked.telling(part);
-    Result<Plan> plan = plan_once(best ? tried.to_beat(*best) : tried);
-    all_found = all_found && plan.has_value();
-    if (plan) highest = std::max(highest, cost_of(*plan, request.objective()));
-    if (plan && (!best || is_cheaper(*plan, *best, request.objective()))) best = std::move(plan);
-  };
-  const PlanRequest dense = with_more_directions(request);
   const auto roomy = with_more_room(environment, request, wider);
-  if (roomy) consider(roomy->sea, roomy->request);
-  if (!roomy || !best) consider(environment, dense);
-  if (!request.spacing_along && (is_known || !best)) consider(environment, cost::on_coarser_grids(dense));
-  if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
-  if (!best)
-    return tl::unexpected(with_area_searched(std::move(best.error()), roomy ? roomy->request : request));
-  const bool agree = all_found && highest <= (1.0 + agreement) * cost_of(*best, request.objective());
-  best->messages.insert(best->messages.begin(),
-                        agree ? messages::plan_message<"several-grids-agree">(100.0 * agreement)
-                              : messages::plan_message<"several-grids-tried">());
-  return best;
+  const PlanRequest dense = with_more_directions(request);
+  const PlanRequest coarse = cost::on_coarser_grids(dense);
+  // A known plan is compared with all others. Without one, each is tried only if those before it failed.
+  std::vector<std::vector<Task>> rounds(1);
+  const auto then = [&](Task other) {
+    if (!known && !rounds.back().empty()) rounds.emplace_back();
+    rounds.back().push_back(std::move(other));
+  };
+  if (roomy) then(task.in(roomy->sea).with(roomy->request));
+  if (!roomy || !known) then(task.with(dense));
+  if (!request.spacing_along) then(task.with(coarse));
+
+  MoreGrids grids{std::move(known), task, plan_once};
+  for (const std::vector<Task>& round : rounds) {
+    if (!grids.need_more()) break;
+    grids.try_all(round);
+    if (stop.stop_requested()) return tl::unexpected(search::explain_cancelled(request));
+  }
+  return std::move(grids).result(roomy ? roomy->request : request);
 }
 
 }  // namespace floeplan::planning::planner

@@ -13,6 +13,7 @@
 #include "engine/planning/planner/departure.hpp"
 #include "engine/planning/planner/strategies.hpp"
 #include "engine/planning/search/latest_departure.hpp"
+#include "tests/support/done_elsewhere.hpp"
 #include "tests/support/small_sea.hpp"
 
 namespace floeplan::planning::planner::strong_currents_test {
@@ -114,6 +115,25 @@ TEST(StrongCurrents, HaveTheBestPlanOfSeveralGridsTaken) {
 
   ASSERT_TRUE(plan);
   EXPECT_LE(plan->arrival, on_usual_grids->arrival);
+}
+
+TEST(StrongCurrents, GiveTheSamePlanWhereAnotherProcessTriesTheGrids) {
+  const PlanRequest request = across_the_stream();
+  for (const double m_s : {0.5, 1.0}) {
+    const ocean::Environment sea = stream(m_s);
+    support::KeptParts kept;
+
+    const auto here = plan_route(sea, request, {}, {}, {}, support::KeepsParts{kept});
+    const auto elsewhere = plan_route(sea, request, {}, {}, {}, support::DoneElsewhere{kept});
+
+    EXPECT_FALSE(kept.empty()) << m_s;
+    ASSERT_TRUE(here && elsewhere) << m_s;
+    EXPECT_EQ(here->arrival, elsewhere->arrival);
+    EXPECT_EQ(messages::sentences(here->messages), messages::sentences(elsewhere->messages));
+    ASSERT_EQ(here->waypoints.size(), elsewhere->waypoints.size());
+    for (std::size_t i = 0; i < here->waypoints.size(); ++i)
+      EXPECT_EQ(here->waypoints[i].place, elsewhere->waypoints[i].place);
+  }
 }
 
 TEST(StrongCurrents, AreACautionOnlyWhereThePlansOfSeveralGridsDiffer) {
