@@ -21,8 +21,8 @@ expect() {
 
 today=$(date -u +%Y-%m-%d)
 moment='[0-9]{4}-[0-9]{2}-[0-9]{2}T[0-9:]{8}Z'
-expect "route" "^p[0-9a-f]{12}  ${today}T06:00:00Z to $moment, [1-9][0-9]*\.[0-9]{2} h, [1-9][0-9]*\.[0-9] km$"
-expect "waypoints" "^S +69 12\.000 N +53 12\.000 W +${today}T06:00:00Z"
+expect "route" "^p[0-9a-f]{12}  ${today}T06:00:00Z to $moment, [1-9][0-9]* h [0-9]{2} min, [1-9][0-9]*\.[0-9] km$"
+expect "waypoints" "^S +69°12\.000′N +053°12\.000′W +${today}T06:00:00Z"
 expect "mission file" "^$root/build/quickstart/mission/goto_l10\.ma$"
 if grep -qiE 'runaway|warning: awk|: 0\.0+ h' "$work/printed"; then
   echo "FAILED: quickstart prints a fault of a tool, or no hours" >&2

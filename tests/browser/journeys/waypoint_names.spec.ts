@@ -23,7 +23,7 @@ const nameOf = ({ index }: Waypoint): string => (index === 0 ? 'S' : String(inde
 function minutesOf(value: number): RegExp {
   const thousandths = Math.round(Math.abs(value) * 60_000);
   const [degrees, minutes] = [Math.floor(thousandths / 60_000), (thousandths % 60_000) / 1000];
-  return new RegExp(`^0?${degrees} ${minutes.toFixed(3).padStart(6, '0')} [NSEW]$`);
+  return new RegExp(`^0*${degrees}°${minutes.toFixed(3).padStart(6, '0')}′[NSEW]$`);
 }
 
 const found = (text: string, row: RegExp): string[][] => [...text.matchAll(row)].map(([, ...parts]) => parts.map((part) => part.trim()));
@@ -59,11 +59,11 @@ test('a waypoint has one name on the map, in the table, GPX, KML, both briefs an
   expectRows(found(html, /<tr><td>(S|\d+)<\/td><td>([^<]+)<\/td><td>([^<]+)<\/td><td>([^<]+)<\/td>/g), plan);
   const depths = [...html.matchAll(/<tr><td>(?:S|\d+)<\/td>(?:<td>[^<]*<\/td>){6}<td>([^<]+)<\/td>/g)].map(([, depth]) => depth);
   await expect(table.locator('tbody tr td:nth-child(6)')).toHaveText(depths as string[]);
-  expectRows(found((await pdfOf(request, plan)).join('\n'), /^(S|\d+)\t(\d+ [\d.]+ [NS])\t(\d+ [\d.]+ [EW])\t([^\t]+Z)/gm), plan);
+  expectRows(found((await pdfOf(request, plan)).join('\n'), /^(S|\d+)\t(\d+°[\d.]+′[NS])\t(\d+°[\d.]+′[EW])\t([^\t]+Z)/gm), plan);
 
   const lonLat = ([lon, lat]: LonLat): string => `${lon},${lat}`;
   const printed = server.run('plan', `--from=${lonLat(start)}`, `--to=${lonLat(goal)}`, '--depart', depart, '--spacing', '2500', '--max-leg', '4000', '--no-refine', '--verbose');
-  expectRows(found(printed, /^(S|\d+)\s+(\d+ [\d.]+ [NS])\s+(\d+ [\d.]+ [EW])\s+(\S+Z)/gm), plan);
+  expectRows(found(printed, /^(S|\d+)\s+(\d+°[\d.]+′[NS])\s+(\d+°[\d.]+′[EW])\s+(\S+Z)/gm), plan);
 
   await request.delete(`/collections/plans/items/${plan.plan_id}`);
 });

@@ -22,11 +22,17 @@ function inflated(bytes: Buffer): string {
 /** Cells of a row are apart by more than letters ever are, in thousandths of the size of the font. */
 const betweenCells = 300;
 
+/** A sign that is no Latin letter, such as the prime, comes by its number from a second part of the font, amid a text. */
+const fromSecondPart = /\]?\s*T[jJ]\n\/\S+ 1 Tf\n<[\da-f]+>Tj\n\/\S+ 1 Tf\n\[?/g;
+
+const unescaped = (text: string): string =>
+  text.replace(/\\([0-7]{3}|.)/g, (_, sign: string) => (sign.length === 3 ? String.fromCharCode(parseInt(sign, 8)) : sign));
+
 /** (text)Tj, or [(te)-3(xt)]TJ where letters are moved: what is moved far is a cell of its own, behind a tab. */
 const textsIn = (commands: string): string[] =>
-  [...commands.matchAll(/((?:\((?:[^()\\]|\\.)*\)|[\s\d.[\]-])*)T[jJ]/g)].map(([, parts = '']) =>
+  [...commands.replace(fromSecondPart, '(′)').matchAll(/((?:\((?:[^()\\]|\\.)*\)|[\s\d.[\]-])*)T[jJ]/g)].map(([, parts = '']) =>
     [...parts.matchAll(/\(((?:[^()\\]|\\.)*)\)|(-?[\d.]+)/g)]
-      .map(([, text, moved]) => (text === undefined ? (Math.abs(Number(moved)) > betweenCells ? '\t' : '') : text.replace(/\\(.)/g, '$1')))
+      .map(([, text, moved]) => (text === undefined ? (Math.abs(Number(moved)) > betweenCells ? '\t' : '') : unescaped(text)))
       .join('')
       .trim(),
   );
