@@ -1,8 +1,11 @@
 #include "api/service/export_sea.hpp"
 
+#include <algorithm>
+#include <memory>
 #include <utility>
 
 #include "storage/json/json.hpp"
+#include "storage/repository/datasets/dataset_repository.hpp"
 #include "storage/repository/environment/environment_loader.hpp"
 
 namespace floeplan::service {
@@ -27,6 +30,31 @@ EnvironmentQuery without_motion(const geo::BoundingBox& area, core::UtcTime depa
   query.icebergs = none;
   query.zones = none;
   return query;
+}
+
+/// The ice of a product at a time that it describes: within its steps, or at the step that is held.
+struct IceThen {
+  std::shared_ptr<const ocean::IceField> ice;
+  ocean::IceStanding standing{};
+  core::UtcTime time;
+};
+
+/// The products that describe the time, the best first.
+std::vector<IceThen> ice_then(const ocean::Environment& sea, core::UtcTime time) {
+  std::vector<IceThen> products;
+  const auto add = [&](const std::shared_ptr<const ocean::IceField>& ice) {
+    if (!ice) return;
+    const auto& steps_s = ice->samples().times_s.nodes();
+    const double time_s = core::unix_seconds(time);
+    const auto moment = ocean::ice_moment(steps_s, time_s);
+    if (moment.is_known())
+      products.push_back({ice, moment.standing,
+                          core::from_unix_seconds(std::clamp(time_s, steps_s.front(), steps_s.back()))});
+  };
+  add(sea.ice);
+  for (const auto& ice : sea.further_ice) add(ice);
+  std::ranges::stable_sort(products, std::ranges::greater{}, &IceThen::standing);
+  return products;
 }
 
 }  // namespace
@@ -74,6 +102,32 @@ mission::HoldOptions holds_of(sql::Connection& db, const repository::PlanRecord&
   const auto sea = repository::load_environment(db, query);
   if (sea) holds.currents = mission::hold_currents(*sea, plan, holds.vehicle);
   return holds;
+}
+
+std::optional<codec::SeaIce> sea_ice_of(sql::Connection& db, const repository::PlanRecord& record,
+                                        const planning::Plan& plan, const geo::BoundingBox& area) {
+  EnvironmentQuery query = without_motion(area, plan.departure);
+  const DatasetChoice none{DatasetChoice::How::none, {}};
+  query.bathymetry = none;
+  query.coastline = none;
+  query.ice = {DatasetChoice::How::named, {}};
+  for (const auto& used : plan.datasets)
+    if (used.kind == "ice" && repository::DatasetRepository{db}.find({used.id}))
+      query.ice.ids.push_back({used.id});
+  if (query.ice.ids.empty()) return std::nullopt;
+  const auto sea = repository::load_environment(db, query);
+  if (!sea) return std::nullopt;
+  auto products = ice_then(*sea, plan.departure);
+  if (products.empty()) return std::nullopt;
+  const auto inputs = inputs_of(record);
+  const auto rules = inputs ? inputs->request.under_ice : planning::UnderIceRules{};
+  return codec::SeaIce{[products = std::move(products)](geo::LonLat place) -> std::optional<double> {
+                         for (const IceThen& product : products)
+                           if (const auto state = product.ice->at(place, product.time))
+                             return state->concentration;
+                         return std::nullopt;
+                       },
+                       rules.max_concentration_to_surface};
 }
 
 std::vector<mission::SafePlace> safe_places_of(sql::Connection& db, const repository::PlanRecord& record,

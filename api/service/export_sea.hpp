@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "api/codec/exports/map_picture.hpp"
 #include "api/codec/inputs/plan_inputs.hpp"
 #include "engine/mission/writing/hold_lists.hpp"
 #include "engine/mission/writing/safe_places.hpp"
@@ -38,5 +39,13 @@ namespace floeplan::service {
                                                              const repository::PlanRecord& record,
                                                              const planning::Plan& plan,
                                                              const std::vector<geo::LonLat>& places);
+
+/// The sea ice at the departure of a stored plan, from its own ice data as far as these are still stored; nullopt
+/// if it has none. Of several products it takes, at each place, the one that describes the time best
+/// (ocean::IceStanding), and of equal ones the first.
+[[nodiscard]] std::optional<codec::SeaIce> sea_ice_of(sql::Connection& db,
+                                                      const repository::PlanRecord& record,
+                                                      const planning::Plan& plan,
+                                                      const geo::BoundingBox& area);
 
 }  // namespace floeplan::service

@@ -12,7 +12,7 @@ using nlohmann::json;
 const json later_in_plan{
     {"energy", nullptr},          {"encounter_trade", nullptr},    {"iceberg_encounters", nullptr},
     {"leg_trade", json::array()}, {"passed_under", json::array()}, {"refinement", nullptr},
-    {"surfacing", nullptr},       {"via_order", nullptr}};
+    {"surfacing", nullptr},       {"uncertainty", nullptr},        {"via_order", nullptr}};
 const json later_in_search{{"cut_short", false}, {"possible_gain_s", nullptr}};
 const json later_in_waypoint{{"current_east_m_s", nullptr},
                              {"current_north_m_s", nullptr},

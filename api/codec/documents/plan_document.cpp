@@ -193,6 +193,7 @@ planning::Plan parse_members(const json& document) {
   plan.passed_under = parse_passed_under(document);
   plan.encounter_trade = parse_encounter_trade(document);
   plan.surfacing = parse_surfacing(document);
+  plan.uncertainty = parse_uncertainty_document(document.at("uncertainty"));
   plan.energy = parse_energy(document.at("energy"));
   plan.optimality_gap = stored_number(document, "optimality_gap");
   plan.optimality_gap_reason = document.at("optimality_gap_reason").get<std::string>();

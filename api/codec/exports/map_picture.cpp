@@ -18,6 +18,7 @@ namespace {
 constexpr double metres_per_degree = 111'195.0;  // of latitude, on a sphere of 6371 km
 constexpr double margin_share = 0.12;            // margin around the route, as a share of the picture
 constexpr double least_span_m = 2'000.0;         // smallest span shown, for very short routes
+constexpr double least_berg = 4.0;               // smallest radius of an iceberg, to be seen on hatched ice
 constexpr double finest_line = 0.7;              // shorter pieces of an outline are not visible
 
 /// Longitudes and latitudes to picture units, true along the middle parallel.
@@ -68,6 +69,14 @@ class Frame {
   double shrink_{};
   double units_per_m_{};
 };
+
+geo::BoundingBox area_of(const Frame& frame, double width, double height) {
+  const double west = frame.lon_deg(0.0);
+  const double east = frame.lon_deg(width);
+  const bool is_all_round = east - west >= 360.0;
+  return {is_all_round ? -180.0 : geo::wrap_longitude(west), std::max(-90.0, frame.lat_deg(height)),
+          is_all_round ? 180.0 : geo::wrap_longitude(east), std::min(90.0, frame.lat_deg(0.0))};
+}
 
 /// An outline without invisible details. Far corners are moved to just outside the frame.
 std::vector<MapPicture::Point> outline(const geo::Ring& ring, const Frame& frame, double width,
@@ -196,16 +205,39 @@ void add_ways_up(MapPicture& picture, const Frame& frame, const planning::Surfac
   }
 }
 
+MapPicture::Ice ice_of(const planning::Plan& plan, const SeaIce& ice, const Frame& frame, double width,
+                       double height) {
+  const auto concentration = [&](PicturePoint at) {
+    return ice.concentration(
+        {geo::wrap_longitude(frame.lon_deg(at.x)), std::clamp(frame.lat_deg(at.y), -90.0, 90.0)});
+  };
+  return {draw_ice(width, height, concentration, ice.limit), ice.limit, plan.departure};
+}
+
 }  // namespace
 
+std::vector<std::vector<PicturePoint>> surfacing_arrow(PicturePoint centre) {
+  constexpr double half = 3.5;
+  constexpr double barb = 2.5;
+  const PicturePoint tip{centre.x, centre.y - half};
+  return {{{centre.x, centre.y + half}, tip},
+          {{tip.x - barb, tip.y + barb}, tip, {tip.x + barb, tip.y + barb}}};
+}
+
+geo::BoundingBox map_area(const planning::Plan& plan, double width, double height) {
+  return area_of(Frame{plan, width, height}, width, height);
+}
+
 MapPicture draw_map(const planning::Plan& plan, const std::vector<geo::Polygon>& land,
-                    const std::vector<ocean::Iceberg>& icebergs, double width, double height) {
+                    const std::vector<ocean::Iceberg>& icebergs, double width, double height,
+                    const std::optional<SeaIce>& ice) {
   if (plan.waypoints.empty() || !(width > 0.0 && height > 0.0))
     throw std::invalid_argument{"draw_map: no waypoints or no room"};
   const Frame frame{plan, width, height};
   MapPicture picture;
   picture.width = width;
   picture.height = height;
+  if (ice) picture.ice = ice_of(plan, *ice, frame, width, height);
   for (const geo::Polygon& polygon : land) {
     auto points = outline(polygon.outer, frame, width, height);
     if (!points.empty() && meets_frame(points, width, height)) picture.land.push_back(std::move(points));
@@ -215,7 +247,7 @@ MapPicture draw_map(const planning::Plan& plan, const std::vector<geo::Polygon>&
     const double radius = 0.5 * ocean::safe_length(iceberg).value * frame.units_per_m();
     const MapPicture::Point centre = frame.at(iceberg.place);
     if (centre.x < 0.0 || centre.x > width || centre.y < 0.0 || centre.y > height) continue;
-    picture.icebergs.push_back({centre, std::max(2.0, radius)});
+    picture.icebergs.push_back({centre, std::max(least_berg, radius)});
   }
   for (std::size_t i = 0; i < plan.waypoints.size(); ++i) {
     const MapPicture::Point point = frame.at(plan.waypoints[i].place);
@@ -240,16 +272,20 @@ MapPicture draw_map(const planning::Plan& plan, const std::vector<geo::Polygon>&
 
 std::string svg(const MapPicture& picture) {
   std::string text = svg_head("sea", picture.width, picture.height);
+  if (picture.ice) text += svg(picture.ice->marks);
   for (const auto& outline : picture.land)
     text += "<polygon class=\"land\" points=\"" + svg_points(outline) + "\"/>\n";
   for (const auto& line : picture.grid) text += svg_line(line, "grid");
   for (const auto& label : picture.grid_labels) text += svg_label(label, "small");
   for (const auto& disc : picture.icebergs) text += circle_text("ice", disc.centre, disc.radius);
-  text += svg_line(picture.route, "route");
+  text += svg_line(picture.route, "casing") + svg_line(picture.route, "route");
   for (const auto& leg : picture.below_ice) text += svg_line(leg, "below");
-  for (const auto& way : picture.escapes) text += svg_line(way, "escape");
+  for (const auto& way : picture.escapes) text += svg_line(way, "casing") + svg_line(way, "escape");
   for (const auto& place : picture.closed) text += square_text("closed", place);
-  for (const auto& place : picture.surfacings) text += circle_text("surfacing", place, surfacing_radius);
+  for (const auto& place : picture.surfacings) {
+    text += circle_text("surfacing", place, surfacing_radius);
+    for (const auto& line : surfacing_arrow(place)) text += svg_line(line, "arrow");
+  }
   for (const auto& label : picture.waypoints) text += svg_label(label, "number");
   text += svg_line(picture.scale, "scale");
   text += svg_label({{picture.scale.front().x, picture.scale.front().y - 4.0}, picture.scale_label}, "small");

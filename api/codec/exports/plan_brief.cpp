@@ -43,18 +43,25 @@ constexpr const char* style =
     "h1{font-size:16pt;margin:0 0 2mm}p,ul{margin:1mm 0}svg{width:100%;height:auto;border:1px solid #888}"
     "table{border-collapse:collapse;width:100%;margin-top:2mm}th,td{border-bottom:1px solid "
     "#ccc;padding:.4mm 1mm;"
-    "text-align:right;font-size:8.5pt}td{white-space:nowrap}li{break-inside:avoid}.sea{fill:#eef4f8}.land{fill:#d9d2c0;stroke:#8a8170;stroke-width:.6}"
+    "text-align:right;font-size:8.5pt}td{white-space:nowrap}li{break-inside:avoid}.sea{fill:#eef4f8}.land{"
+    "fill:#d9d2c0;stroke:#8a8170;stroke-width:.6}"
     ".grid{stroke:#b8c6d0;stroke-width:.5;fill:none}.ice{fill:#fff;stroke:#0a6ea8;stroke-width:1}"
-    ".route{fill:none;stroke:#c2410c;stroke-width:2}.below{fill:none;stroke:#fff;stroke-width:2;stroke-"
-    "dasharray:4 "
-    "4}.closed{fill:#c2410c;stroke:#fff;stroke-width:1}.escape{fill:none;stroke:#117733;stroke-width:2;"
-    "stroke-"
-    "dasharray:1 "
-    "4}.draft{fill:none;stroke:#0a2f4a;stroke-width:3}.keel{fill:none;stroke:#0a2f4a;stroke-width:1.5;"
+    ".route{fill:none;stroke:#c2410c;stroke-width:2.5}.below{fill:none;stroke:#fff;stroke-width:4;stroke-"
+    "dasharray:6 6}"
+    ".closed{fill:#c2410c;stroke:#fff;stroke-width:1}.escape{fill:none;stroke:#117733;stroke-width:2.5;"
+    "stroke-dasharray:2 3}"
+    ".draft{fill:none;stroke:#0a2f4a;stroke-width:3}.keel{fill:none;stroke:#0a2f4a;stroke-width:1.5;"
     "stroke-dasharray:2 "
-    "3}.surfacing{fill:#fff;stroke:#117733;stroke-width:2}.scale{stroke:#111;stroke-width:2}.small{font:9px "
+    "3}.surfacing{fill:#117733;stroke:#fff;stroke-width:1}.arrow{fill:none;stroke:#fff;stroke-width:1.5}."
+    "casing{fill:none;stroke:#fff;stroke-width:6}"
+    ".paper{fill:#fff}.hatch{fill:none;stroke:#28506b;stroke-width:.7}.edge{fill:none;stroke:#0a2f4a;stroke-"
+    "width:1}"
+    ".limit{fill:none;stroke:#0a2f4a;stroke-width:1.8;stroke-dasharray:7 4}"
+    ".scale{stroke:#111;stroke-width:2}.small{font:9px "
     "sans-serif;"
-    "fill:#456}.number{font:bold 11px sans-serif;fill:#7c2d12}.warn{border:1px solid #c2410c;padding:1mm 2mm}"
+    "fill:#456}.number{font:bold 11px "
+    "sans-serif;fill:#7c2d12;stroke:#fff;stroke-width:3;paint-order:stroke}.warn{border:1px solid "
+    "#c2410c;padding:1mm 2mm}"
     ".caption{font-size:8pt;color:#456}.hash{font-family:monospace;font-size:8pt}";
 
 std::string table(const planning::Plan& plan) {
@@ -105,11 +112,25 @@ std::vector<std::string> ice_facts(const planning::Plan& plan) {
   if (!plan.surfacing) return {};
   const auto below = planning::time_below_ice(*plan.surfacing);
   return {"Below ice or icebergs: " + distance(planning::length_below_ice(*plan.surfacing)) + ", " +
-          (below ? core::hours_minutes(*below) : "-") +
-          ". Longest time without a place to surface: " +
+          (below ? core::hours_minutes(*below) : "-") + ". Longest time without a place to surface: " +
           core::hours_minutes(plan.surfacing->longest_without) +
           ". Sea ice unknown: " + distance(plan.surfacing->unknown_ice) +
           ". Planned surfacings: " + std::to_string(plan.surfacing->surfacings.size()) + "."};
+}
+
+/// How the arrival spreads with the currents, and the chance of the arrival that was asked for.
+std::string spread_fact(const planning::UncertaintyReport& report) {
+  const planning::ArrivalSpread& spread = report.spread;
+  const auto taken = [](const std::optional<core::Seconds>& time) {
+    return time ? core::hours_minutes(*time) : "not known";
+  };
+  std::string text = "Uncertain currents: " + std::to_string(spread.arrived()) + " of " +
+                     std::to_string(spread.travel_times().size()) + " members arrive, in the mean after " +
+                     taken(spread.mean()) + "; 90 % of all within " + taken(spread.quantile(0.9)) + ".";
+  if (report.chance && report.arrive_before)
+    text += " Chance to arrive before " + core::iso8601(*report.arrive_before) + ": " +
+            number(report.chance, 0, 100.0) + " %.";
+  return text;
 }
 
 /// The label of each setting in the forms of the desk, by its flag.
@@ -179,11 +200,10 @@ std::vector<std::vector<std::string>> brief_rows(const planning::Plan& plan) {
   rows.reserve(plan.waypoints.size());
   for (const planning::Waypoint& waypoint : plan.waypoints) {
     rows.push_back({waypoint_label(rows.size()), geo::latitude_text(waypoint.place.lat_deg),
-                    geo::longitude_text(waypoint.place.lon_deg),
-                    core::iso8601(waypoint.eta), number(bare(waypoint.leg_length), 2, 1e-3),
-                    number(waypoint.course_deg, 1), number(bare(waypoint.speed_over_ground), 3),
-                    number(bare(waypoint.depth), 0), may_surface(plan, rows.size()),
-                    leg_turn(plan, rows.size())});
+                    geo::longitude_text(waypoint.place.lon_deg), core::iso8601(waypoint.eta),
+                    number(bare(waypoint.leg_length), 2, 1e-3), number(waypoint.course_deg, 1),
+                    number(bare(waypoint.speed_over_ground), 3), number(bare(waypoint.depth), 0),
+                    may_surface(plan, rows.size()), leg_turn(plan, rows.size())});
   }
   return rows;
 }
@@ -197,6 +217,7 @@ std::vector<std::string> brief_facts(const planning::Plan& plan, const BriefNote
           (plan.clearances.nearest_iceberg.empty() ? "" : " (" + plan.clearances.nearest_iceberg + ")") +
           ", to land " + distance(plan.clearances.land) + ", to the sea bed " +
           distance(plan.clearances.bottom) + "."};
+  if (plan.uncertainty) facts.push_back(spread_fact(*plan.uncertainty));
   std::ranges::move(hold_facts(plan), std::back_inserter(facts));
   if (plan.iceberg_encounters)
     facts.push_back("Expected encounters with icebergs: " + number(*plan.iceberg_encounters, 2) + ".");
@@ -216,10 +237,14 @@ std::string brief_caption(const MapPicture& picture) {
   if (!picture.below_ice.empty()) caption += " Dashed: below ice or icebergs.";
   if (!picture.closed.empty()) caption += " Squares: the vehicle must not surface.";
   if (!picture.escapes.empty()) caption += " Dotted: escape routes to where it may.";
-  if (!picture.surfacings.empty()) caption += " Green rings: planned surfacings.";
+  if (!picture.surfacings.empty()) caption += " Discs with an arrow: planned surfacings.";
+  if (picture.ice)
+    caption += " Sea ice as of the departure, " + core::iso8601(picture.ice->time) +
+               "; it moves while the vehicle is under way.";
   if (picture.icebergs.empty()) return caption;
   return caption +
-         " Circles: icebergs where they were last seen before the departure. They drift; the clearances are "
+         " Light discs: icebergs where they were last seen before the departure. They drift; the clearances "
+         "are "
          "from where they are expected when the vehicle passes.";
 }
 
@@ -252,7 +277,9 @@ std::string plan_brief_html(const planning::Plan& plan, const BriefPictures& pic
   const auto caption = [](const std::string& words) {
     return "<p class=\"caption\">" + xml_text(words) + "</p>\n";
   };
-  text += svg(pictures.map) + caption(brief_caption(pictures.map));
+  text += svg(pictures.map);
+  if (pictures.map.ice) text += svg(draw_ice_key(pictures.map.width, pictures.map.ice->limit));
+  text += caption(brief_caption(pictures.map));
   if (pictures.ice) text += svg(*pictures.ice) + caption(section_caption);
   text += table(plan);
   for (const auto& [title_of_rank, sentences] : brief_messages(plan, notes))

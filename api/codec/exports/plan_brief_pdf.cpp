@@ -29,6 +29,8 @@ constexpr Colour land{0.85, 0.82, 0.75};
 constexpr Colour ice{0.04, 0.43, 0.66};
 constexpr Colour route{0.76, 0.25, 0.05};
 constexpr Colour surfacing{0.07, 0.47, 0.20};
+constexpr Colour paper{1.0, 1.0, 1.0};
+constexpr Colour hatch{0.16, 0.31, 0.42};
 constexpr Colour waypoint_ink{0.49, 0.18, 0.07};
 
 cairo_status_t append(void* bytes, const unsigned char* data, unsigned int length) {
@@ -146,12 +148,11 @@ void stroke(const Sheet& sheet, const std::vector<MapPicture::Point>& points, Co
   cairo_stroke(sheet.pen());
 }
 
-/// Draws a white disc with an edge.
-void ring(const Sheet& sheet, const MapPicture::Point& centre, double radius, Colour edge) {
+void disc(const Sheet& sheet, const MapPicture::Point& centre, double radius, Colour fill, Colour edge) {
   cairo_t* pen = sheet.pen();
   cairo_new_sub_path(pen);
   cairo_arc(pen, centre.x, centre.y, radius, 0.0, 2.0 * std::numbers::pi);
-  sheet.colour({1.0, 1.0, 1.0});
+  sheet.colour(fill);
   cairo_fill_preserve(pen);
   sheet.colour(edge);
   cairo_set_line_width(pen, 1.0);
@@ -164,15 +165,36 @@ void square(const Sheet& sheet, const MapPicture::Point& centre) {
   cairo_rectangle(pen, centre.x - 0.5 * closed_side, centre.y - 0.5 * closed_side, closed_side, closed_side);
   sheet.colour(route);
   cairo_fill_preserve(pen);
-  sheet.colour({1.0, 1.0, 1.0});
+  sheet.colour(paper);
   cairo_set_line_width(pen, 1.0);
   cairo_stroke(pen);
 }
 
-/// Draws a picture of this size, scaled to the width of the text, on a background of water; continues below
-/// it.
+/// Writes the name of a waypoint with a white edge, to be read on hatched ice.
+void write_on_white(const Sheet& sheet, const MapPicture::Label& label) {
+  cairo_t* pen = sheet.pen();
+  cairo_move_to(pen, label.at.x, label.at.y);
+  cairo_text_path(pen, label.text.c_str());
+  sheet.colour(paper);
+  cairo_set_line_width(pen, 3.0);
+  cairo_stroke(pen);
+  sheet.colour(waypoint_ink);
+  sheet.write_at(label.at.x, label.at.y, label.text);
+}
+
+void draw_ice(const Sheet& sheet, const IceMarks& marks, cairo_t* pen) {
+  for (const auto& line : marks.hatch) stroke(sheet, line, hatch, 0.7);
+  for (const auto& line : marks.unknown) stroke(sheet, line, hatch, 0.7);
+  for (const auto& line : marks.edge) stroke(sheet, line, ink, 1.0);
+  constexpr std::array dashes{7.0, 4.0};
+  cairo_set_dash(pen, dashes.data(), dashes.size(), 0.0);
+  for (const auto& line : marks.limit) stroke(sheet, line, ink, 1.8);
+  cairo_set_dash(pen, nullptr, 0, 0.0);
+}
+
+/// Draws a picture of this size, scaled to the width of the text, on this ground; continues below it.
 template <class Draw>
-void draw_across(Sheet& sheet, double width, double height, const Draw& draw) {
+void draw_across(Sheet& sheet, double width, double height, Colour ground, const Draw& draw) {
   cairo_t* pen = sheet.pen();
   const double scale = text_width / width;
   sheet.need(scale * height + 6.0);
@@ -180,7 +202,7 @@ void draw_across(Sheet& sheet, double width, double height, const Draw& draw) {
   cairo_translate(pen, margin, sheet.y());
   cairo_scale(pen, scale, scale);
   cairo_rectangle(pen, 0.0, 0.0, width, height);
-  sheet.colour(sea);
+  sheet.colour(ground);
   cairo_fill(pen);
   draw(pen);
   cairo_restore(pen);
@@ -190,6 +212,7 @@ void draw_across(Sheet& sheet, double width, double height, const Draw& draw) {
 void draw_map(Sheet& sheet, const MapPicture& picture, cairo_t* pen) {
   cairo_rectangle(pen, 0.0, 0.0, picture.width, picture.height);
   cairo_clip(pen);
+  if (picture.ice) draw_ice(sheet, picture.ice->marks, pen);
   for (const auto& outline : picture.land) {
     trace(pen, outline);
     cairo_close_path(pen);
@@ -200,24 +223,35 @@ void draw_map(Sheet& sheet, const MapPicture& picture, cairo_t* pen) {
   sheet.font(9.0, false);
   sheet.colour(ink);
   for (const auto& label : picture.grid_labels) sheet.write_at(label.at.x, label.at.y, label.text);
-  for (const auto& disc : picture.icebergs) ring(sheet, disc.centre, disc.radius, ice);
-  stroke(sheet, picture.route, route, 2.0);
-  constexpr std::array dashes{4.0, 4.0};
+  for (const auto& berg : picture.icebergs) disc(sheet, berg.centre, berg.radius, paper, ice);
+  stroke(sheet, picture.route, paper, 6.0);
+  stroke(sheet, picture.route, route, 2.5);
+  constexpr std::array dashes{6.0, 6.0};
   cairo_set_dash(pen, dashes.data(), dashes.size(), 0.0);
-  for (const auto& leg : picture.below_ice) stroke(sheet, leg, {1.0, 1.0, 1.0}, 2.0);
+  for (const auto& leg : picture.below_ice) stroke(sheet, leg, paper, 4.0);
   cairo_set_dash(pen, nullptr, 0, 0.0);
-  constexpr std::array dots{1.0, 4.0};
+  for (const auto& way : picture.escapes) stroke(sheet, way, paper, 6.0);
+  constexpr std::array dots{2.0, 3.0};
   cairo_set_dash(pen, dots.data(), dots.size(), 0.0);
-  for (const auto& way : picture.escapes) stroke(sheet, way, surfacing, 2.0);
+  for (const auto& way : picture.escapes) stroke(sheet, way, surfacing, 2.5);
   cairo_set_dash(pen, nullptr, 0, 0.0);
   for (const auto& place : picture.closed) square(sheet, place);
-  for (const auto& place : picture.surfacings) ring(sheet, place, surfacing_radius, surfacing);
+  for (const auto& place : picture.surfacings) {
+    disc(sheet, place, surfacing_radius, surfacing, paper);
+    for (const auto& line : surfacing_arrow(place)) stroke(sheet, line, paper, 1.5);
+  }
   sheet.font(11.0, true);
-  sheet.colour(waypoint_ink);
-  for (const auto& label : picture.waypoints) sheet.write_at(label.at.x, label.at.y, label.text);
+  for (const auto& label : picture.waypoints) write_on_white(sheet, label);
   stroke(sheet, picture.scale, ink, 2.0);
   sheet.font(9.0, false);
   sheet.write_at(picture.scale.front().x, picture.scale.front().y - 4.0, picture.scale_label);
+}
+
+void draw_key(Sheet& sheet, const IceKey& key, cairo_t* pen) {
+  draw_ice(sheet, key.marks, pen);
+  sheet.font(9.0, false);
+  sheet.colour(ink);
+  for (const auto& label : key.labels) sheet.write_at(label.at.x, label.at.y, label.text);
 }
 
 void draw_section(Sheet& sheet, const IceSection& section, cairo_t* pen) {
@@ -250,11 +284,15 @@ std::string plan_brief_pdf(const planning::Plan& plan, const BriefPictures& pict
   sheet.paragraph(notes.name.empty() ? "Plan " + notes.plan_id : notes.name, 16.0, true);
   sheet.paragraph(brief_origin(notes), 9.0);
   for (const std::string& fact : brief_facts(plan, notes)) sheet.paragraph(fact, 9.0);
-  draw_across(sheet, pictures.map.width, pictures.map.height,
+  draw_across(sheet, pictures.map.width, pictures.map.height, sea,
               [&](cairo_t* pen) { draw_map(sheet, pictures.map, pen); });
+  if (pictures.map.ice) {
+    const IceKey key = draw_ice_key(pictures.map.width, pictures.map.ice->limit);
+    draw_across(sheet, key.width, key.height, paper, [&](cairo_t* pen) { draw_key(sheet, key, pen); });
+  }
   sheet.paragraph(brief_caption(pictures.map), 7.5);
   if (pictures.ice) {
-    draw_across(sheet, pictures.ice->width, pictures.ice->height,
+    draw_across(sheet, pictures.ice->width, pictures.ice->height, sea,
                 [&](cairo_t* pen) { draw_section(sheet, *pictures.ice, pen); });
     sheet.paragraph(section_caption, 7.5);
   }

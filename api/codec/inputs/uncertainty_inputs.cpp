@@ -86,4 +86,24 @@ json uncertainty_document(const planning::UncertaintyReport& report) {
           {"travel_times_s", std::move(members)}};
 }
 
+std::optional<planning::UncertaintyReport> parse_uncertainty_document(const json& document) {
+  if (document.is_null()) return std::nullopt;
+  std::vector<std::optional<core::Seconds>> members;
+  for (const json& time_s : document.at("travel_times_s"))
+    members.push_back(time_s.is_null() ? std::nullopt : std::optional{core::Seconds{time_s.get<double>()}});
+  planning::UncertaintyReport report{.spread = planning::ArrivalSpread{std::move(members)},
+                                     .candidates = document.at("candidates").get<std::size_t>(),
+                                     .arrive_before = {},
+                                     .chance = {}};
+  for (const RobustObjective objective : {RobustObjective::mean, RobustObjective::quantile})
+    if (document.at("objective") == json(objective_name(objective).value_or("")))
+      report.objective = objective;
+  if (const json& quantile = document.at("quantile"); !quantile.is_null())
+    report.quantile = quantile.get<double>();
+  if (const json& wanted = document.at("arrive_before"); !wanted.is_null())
+    report.arrive_before = core::parse_iso8601(wanted.get<std::string>());
+  if (const json& chance = document.at("chance"); !chance.is_null()) report.chance = chance.get<double>();
+  return report;
+}
+
 }  // namespace floeplan::codec

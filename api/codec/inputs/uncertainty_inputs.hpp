@@ -1,6 +1,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 
 #include "api/codec/reading/input_reader.hpp"
 #include "engine/planning/problem/uncertainty_report.hpp"
@@ -16,5 +17,9 @@ namespace floeplan::codec {
 [[nodiscard]] nlohmann::json uncertainty_json(const planning::UncertaintyRules& rules);
 /// The result's member `uncertainty`.
 [[nodiscard]] nlohmann::json uncertainty_document(const planning::UncertaintyReport& report);
+/// Reads it back; nullopt for null.
+/// Errors   nlohmann::json::exception and std::runtime_error if it is not the result's member
+[[nodiscard]] std::optional<planning::UncertaintyReport> parse_uncertainty_document(
+    const nlohmann::json& document);
 
 }  // namespace floeplan::codec

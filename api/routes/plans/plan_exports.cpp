@@ -34,7 +34,6 @@ namespace {
 
 using repository::PlanRecord;
 
-constexpr core::Metres around_route{30'000.0};  // margin of the printed map, for land and icebergs
 constexpr double map_width = 720.0;
 constexpr double map_height = 420.0;
 constexpr double section_height = 150.0;
@@ -55,9 +54,9 @@ std::vector<repository::StoredSighting> obeyed_sightings(sql::Connection& db, co
   return repository::known_icebergs(db, repository::DatasetRepository{db}.list(), query, none).sightings;
 }
 
-/// The map, with land and icebergs from the plan's data, as far as these are still stored.
+/// The map, with land, icebergs and sea ice from the plan's data, as far as these are still stored.
 codec::MapPicture picture_of(sql::Connection& db, const PlanRecord& record, const planning::Plan& plan) {
-  const geo::BoundingBox area = geo::grown(record.bounds, around_route);
+  const geo::BoundingBox area = codec::map_area(plan, map_width, map_height);
   std::vector<geo::Polygon> land;
   std::vector<ocean::Iceberg> icebergs;
   repository::DatasetChoice of_icebergs{repository::DatasetChoice::How::named, {}};
@@ -71,7 +70,8 @@ codec::MapPicture picture_of(sql::Connection& db, const PlanRecord& record, cons
   }
   for (const auto& sighting : obeyed_sightings(db, record, plan, of_icebergs))
     if (geo::contains(area, sighting.iceberg.place)) icebergs.push_back(sighting.iceberg);
-  return codec::draw_map(plan, land, icebergs, map_width, map_height);
+  return codec::draw_map(plan, land, icebergs, map_width, map_height,
+                         service::sea_ice_of(db, record, plan, area));
 }
 
 /// The ice dataset of the plan, if it has exactly one and it is still stored; otherwise none, so that the

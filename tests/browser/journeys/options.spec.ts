@@ -184,7 +184,7 @@ test('the server understands every option of the set-up', { tag: '@long' }, asyn
   await expect(page.getByLabel('Quantile')).toHaveAttribute('aria-invalid', 'true');
   await page.getByLabel('Quantile').fill('80');
   await planAndWait(page);
-  await expect(page.getByText('Arrival, p10–p90')).toBeVisible();
+  await expect(page.getByText('Travel time, p10–p90')).toBeVisible();
 });
 
 test('goals are taken from a mission file, and a file that is none is refused beside its field', { tag: '@long' }, async ({ page, request }) => {
@@ -242,7 +242,7 @@ test('stored currents are the members of an ensemble, until one of them is remov
   await page.getByLabel(/^Chance to arrive before/).fill('2026-11-24 00:00');
   await expectAccessible(page);
   await planAndWait(page);
-  await expect(page.getByText('Arrival, p10–p90')).toBeVisible();
+  await expect(page.getByText('Travel time, p10–p90')).toBeVisible();
   await expect(page.locator('.figures-grid div', { hasText: 'Chance to arrive in time' }).locator('dd')).toHaveText(/^\d+ %$/);
 
   await page.getByRole('button', { name: 'Data', exact: true }).click();

@@ -343,19 +343,68 @@ TEST(PlanBrief, TellsWhereThePlanIsBelowIceAndMaySurface) {
   EXPECT_EQ(picture.escapes.size(), 1U) << "where it may surface at once there is none";
   EXPECT_THAT(
       html,
-      HasSubstr("Below ice or icebergs: 5.9 km, 1 h 15 min. Longest time without a place to surface: 1 h 30 min."));
+      HasSubstr(
+          "Below ice or icebergs: 5.9 km, 1 h 15 min. Longest time without a place to surface: 1 h 30 min."));
   EXPECT_THAT(html, HasSubstr("<td>yes</td><td>-</td></tr>"));
   EXPECT_THAT(html, HasSubstr("<td>no</td><td>17</td></tr>"));
   EXPECT_THAT(
       html, HasSubstr("Dashed: below ice or icebergs. Squares: the vehicle must not surface. Dotted: escape "
                       "routes to where it may. "
-                      "Green rings: planned surfacings."));
+                      "Discs with an arrow: planned surfacings."));
 
   plan.surfacing.reset();
   const std::string unknown =
       plan_brief_html(plan, {draw_map(plan, {}, {}, 720.0, 420.0)}, {"p-01", "", plan.departure, {}});
   EXPECT_THAT(unknown, HasSubstr("<td>-</td><td>-</td></tr>"));
   EXPECT_THAT(unknown, Not(HasSubstr("below ice")));
+}
+
+TEST(PlanBrief, DrawsTheSeaIceOfTheDepartureForAPrinterWithoutColour) {
+  const planning::Plan plan = two_legs();  // from 53.25 W to 53 W
+  const SeaIce west_of_the_middle{[](geo::LonLat place) -> std::optional<double> {
+                                    if (place.lat_deg > 69.18) return std::nullopt;
+                                    return place.lon_deg < -53.125 ? 0.95 : 0.0;
+                                  },
+                                  0.1};
+
+  const MapPicture picture = draw_map(plan, {}, {}, 720.0, 420.0, west_of_the_middle);
+
+  ASSERT_TRUE(picture.ice.has_value());
+  ASSERT_FALSE(picture.ice->marks.hatch.empty());
+  for (const auto& line : picture.ice->marks.hatch)
+    for (const auto& point : line) EXPECT_LT(point.x, 366.0) << "open water is blank";
+  EXPECT_FALSE(picture.ice->marks.unknown.empty());
+  for (const auto& lines : {picture.ice->marks.edge, picture.ice->marks.limit}) {
+    ASSERT_EQ(lines.size(), 1U) << "interrupted where the ice is unknown";
+    for (const auto& point : lines[0]) EXPECT_NEAR(point.x, 360.0, 6.0);
+  }
+  const std::string html = plan_brief_html(plan, {picture}, {"p-01", "", plan.departure, {}});
+  EXPECT_THAT(html, HasSubstr("surfacing limit: no surfacing in more than 10 %"));
+  EXPECT_THAT(html, HasSubstr("Sea ice as of the departure, 2026-11-20T06:00:00Z; it moves"));
+}
+
+TEST(PlanBrief, ShowsNoIceWhereThePlanKnowsNone) {
+  const planning::Plan plan = two_legs();
+  const std::string html =
+      plan_brief_html(plan, {draw_map(plan, {}, {}, 720.0, 420.0)}, {"p-01", "", plan.departure, {}});
+  EXPECT_THAT(html, Not(HasSubstr("class=\"hatch\"")));
+  EXPECT_THAT(html, Not(HasSubstr("Sea ice as of")));
+}
+
+TEST(PlanBrief, TellsTheChanceToArriveInTime) {
+  planning::Plan plan = two_legs();
+  plan.uncertainty = planning::UncertaintyReport{
+      .spread = planning::ArrivalSpread{{core::Seconds{3600.0}, core::Seconds{7200.0}, std::nullopt,
+                                         core::Seconds{5400.0}}},
+      .arrive_before = plan.departure + core::Seconds{6000.0},
+      .chance = 0.5};
+  // A stored plan is read back.
+  const planning::Plan stored = parse_plan_document(plan_document(plan, "p-01", ""));
+
+  EXPECT_THAT(brief_facts(stored, {.plan_id = "p-01", .name = "", .messages = {}}),
+              testing::Contains(
+                  "Uncertain currents: 3 of 4 members arrive, in the mean after 1 h 30 min; 90 % of all "
+                  "within not known. Chance to arrive before 2026-11-20T07:40:00Z: 50 %."));
 }
 
 TEST(PlanBrief, NamesTheNearestIcebergTheEncountersAndTheSafePlaces) {

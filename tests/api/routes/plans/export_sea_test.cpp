@@ -56,6 +56,7 @@ class ExportSeaTest : public support::ApiTest {
     plan.vehicle = "slocum-g3-200";
     plan.departure = core::from_unix_seconds(start_s);
     plan.arrival = plan.departure + core::Seconds{30'000.0};
+    plan.datasets = {{.id = "ice-1", .kind = "ice", .name = "ice", .sha256 = ""}};
     plan.waypoints.resize(2);
     plan.waypoints[0].place = {from_deg, 69.0};
     plan.waypoints[0].eta = plan.departure;
@@ -154,6 +155,16 @@ TEST_F(ExportSeaTest, FilesThatDoNotTellHowDeepTheDivesTurnBelowIceSaySo) {
 
   store("p2", -53.7, -53.3, 0.0);
   EXPECT_EQ(answer("p2", "mission.targets").status, 200);
+}
+
+TEST_F(ExportSeaTest, TheBriefShowsTheIceOfThePlanAsLongAsItIsStored) {
+  store("p1", -52.8, -52.2, 58.0);
+  EXPECT_THAT(answer("p1", "mission.html").body, HasSubstr("class=\"hatch\""));
+
+  repository::DatasetRepository{db_}.remove({"ice-1"});
+  const auto without = answer("p1", "mission.html");
+  EXPECT_EQ(without.status, 200);
+  EXPECT_THAT(without.body, Not(HasSubstr("class=\"hatch\"")));
 }
 
 TEST_F(ExportSeaTest, DivesOfOtherVehiclesHeedTheBank) {

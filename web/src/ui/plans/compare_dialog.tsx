@@ -37,6 +37,7 @@ const inMinutes = (seconds: number): string => {
   return minutes < 60 ? `${minutes} min` : `${Math.floor(minutes / 60)} h ${String(minutes % 60).padStart(2, '0')} min`;
 };
 const percent: Figure = { text: (share) => `${(100 * share).toFixed(1)} %`, shown: (share) => toStep(share, 0.001) };
+const chance: Figure = { text: (share) => `${Math.round(100 * share)} %`, shown: (share) => toStep(share, 0.01) };
 const time: Figure = { text: inMinutes, shown: (seconds) => toStep(seconds, minute_s) };
 const instant: Figure = {
   text: (at_s) => shortTime(1000 * at_s), shown: (at_s) => minute_s * Math.floor(at_s / minute_s), difference: inMinutes,
@@ -63,6 +64,8 @@ const columns: Column[] = [
   { title: 'Nearest iceberg', value: (plan) => plan.clearances.iceberg_m, ...length },
   { title: 'Nearest land', value: (plan) => plan.clearances.land_m, ...length },
   { title: 'Above sea bed', value: (plan) => plan.clearances.bottom_m, ...length },
+  { title: '90 % arrive within', value: ({ uncertainty }) => uncertainty?.quantiles_s.p90 ?? null, ...time },
+  { title: 'Chance to arrive in time', value: ({ uncertainty }) => uncertainty?.chance ?? null, ...chance },
   { title: 'Iceberg encounters', value: ({ iceberg_encounters }) => iceberg_encounters ?? null, ...encounters },
   { title: 'Optimality gap', value: (plan) => plan.optimality_gap, ...percent },
   { title: 'Dangers', value: (plan) => ofRank(plan, 'danger').length, ...count },

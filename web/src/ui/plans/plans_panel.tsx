@@ -65,6 +65,7 @@ function PlanRow({ plan }: { plan: Plan }): VNode {
         </span>
         <span class="plan-figures">
           {duration(plan.travel_time_s)} · {distance(plan.distance_m)} · from {shortTime(Date.parse(plan.departure))}
+          {typeof plan.uncertainty?.chance === 'number' && ` · ${Math.round(100 * plan.uncertainty.chance)} % chance to arrive in time`}
         </span>
       </button>
     </li>
