@@ -6,6 +6,7 @@
 #include "engine/core/utc_text.hpp"
 #include "server/cli/program/command.hpp"
 #include "server/cli/program/flag_values.hpp"
+#include "server/manual/completion.hpp"
 #include "storage/demo/write_demo.hpp"
 #include "storage/json/json.hpp"
 
@@ -23,13 +24,27 @@ struct DemoFlags {
 /// 00:00 UTC of this day, so that the data are valid now.
 core::UtcTime today() { return std::chrono::floor<std::chrono::days>(now()); }
 
-std::string command_line(const std::vector<std::string>& words) {
-  std::string line{"floeplan"};
-  for (const std::string& word : words) line += ' ' + word;
-  return line;
+/// A path as a word of a command, in quotes only if it needs them.
+std::string word_of(const std::filesystem::path& path) {
+  constexpr auto plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789/._-";
+  const std::string text = path.string();
+  return text.find_first_not_of(plain) == std::string::npos ? text : manual::quoted(text);
 }
 
-int run_demo(const DemoFlags& flags) {
+/// Prints the commands that read the data into a store and plan with them, to be copied as they are.
+void show_commands(const DemoFlags& flags, const std::vector<std::string>& example, const Program& program) {
+  const std::filesystem::path store = program.store == default_store() ? "store" : program.store;
+  const std::string begin = "  floeplan --data " + word_of(store);
+  std::cerr << "Read them into a store and plan:\n"
+            << begin << " ingest " << word_of(flags.directory / (flags.scenario + "-")) << "*\n"
+            << begin;
+  for (const std::string& word : example) std::cerr << ' ' << word;
+  std::cerr << '\n';
+  if (flags.scenario == "disko")
+    std::cerr << "For a plan under ice:\n  floeplan demo ice/ --scenario pack-ice\n";
+}
+
+int run_demo(const DemoFlags& flags, const Program& program) {
   const auto start = flags.start ? core::parse_iso8601(*flags.start) : today();
   if (!start) {
     throw flag_fault<"no-date-and-no-moment">("--start", *flags.start);
@@ -50,10 +65,8 @@ int run_demo(const DemoFlags& flags) {
   } else {
     for (const auto& file : files) std::cout << file.string() << '\n';
   }
-  std::cerr << messages::command_text<"data-synthetic">()
-            << "\nOnce they are ingested, plan with: " << command_line(example) << '\n';
-  if (scenario == demo::Scenario::disko)
-    std::cerr << "For a plan under ice: floeplan demo ice/ --scenario pack-ice\n";
+  std::cerr << "caution: " << messages::command_text<"data-synthetic">() << '\n';
+  show_commands(flags, example, program);
   return done;
 }
 
@@ -73,7 +86,7 @@ void add_demo(CLI::App& app, Program& program) {
   command->add_option("--start", flags->start,
                       "First hour of the data, ISO 8601 with zone or a date; default: today, 00:00 UTC");
   command->add_flag("--json", flags->json_out, "Answer with one JSON document");
-  command->callback([flags, &program] { program.exit_code = run_demo(*flags); });
+  command->callback([flags, &program] { program.exit_code = run_demo(*flags, program); });
 }
 
 }  // namespace floeplan::cli

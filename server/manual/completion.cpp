@@ -5,13 +5,6 @@
 namespace floeplan::manual {
 namespace {
 
-/// A text in single quotes of a shell.
-std::string quoted(const std::string& text) {
-  std::string safe;
-  for (const char c : text) safe += c == '\'' ? std::string{"'\\''"} : std::string(1, c);
-  return "'" + safe + "'";
-}
-
 std::string replaced(std::string text, const std::string& what, const std::string& by) {
   for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size())
     text.replace(at, what.size(), by);
@@ -131,6 +124,12 @@ std::string for_fish(std::span<const Command> commands) {
 }
 
 }  // namespace
+
+std::string quoted(const std::string& text) {
+  std::string safe;
+  for (const char c : text) safe += c == '\'' ? std::string{"'\\''"} : std::string(1, c);
+  return "'" + safe + "'";
+}
 
 std::vector<std::string> shells() { return {"bash", "zsh", "fish"}; }
 

@@ -89,9 +89,17 @@ void add_features(const OGRGeometry& geometry, std::vector<Json>& features) {
   }
 }
 
+Json members_of(const Origin& origin) {
+  Json members{{"name", origin.name}, {"description", origin.description}};
+  if (!origin.source.empty()) members["source"] = origin.source;
+  members["license"] = origin.license;
+  return members;
+}
+
 }  // namespace
 
-void write_icebergs(const std::filesystem::path& file, const std::vector<ocean::Iceberg>& icebergs) {
+void write_icebergs(const std::filesystem::path& file, const std::vector<ocean::Iceberg>& icebergs,
+                    const Origin& origin) {
   std::vector<Json> features;
   for (const ocean::Iceberg& berg : icebergs) {
     Json properties{{"id", berg.id},
@@ -109,22 +117,14 @@ void write_icebergs(const std::filesystem::path& file, const std::vector<ocean::
           {{"type", "Point"},
            {"coordinates", {five_decimals(berg.place.lon_deg), five_decimals(berg.place.lat_deg)}}}}});
   }
-  write_collection(
-      file,
-      {{"name", "Disko Bay icebergs (synthetic, not for navigation)"},
-       {"description", "Synthetic icebergs drawn at random, not for navigation. No berg here was ever seen."},
-       {"license", "CC0-1.0"}},
-      features);
+  write_collection(file, members_of(origin), features);
 }
 
 void write_coastline(const std::filesystem::path& file, const std::vector<geo::Polygon>& land,
-                     const geo::BoundingBox& area, const CoastlineOrigin& origin) {
+                     const geo::BoundingBox& area, const Origin& origin) {
   std::vector<Json> features;
   add_features(*joined(land, area), features);
-  Json members{{"name", origin.name}, {"description", origin.description}};
-  if (!origin.source.empty()) members["source"] = origin.source;
-  members["license"] = origin.license;
-  write_collection(file, members, features);
+  write_collection(file, members_of(origin), features);
 }
 
 }  // namespace floeplan::demo

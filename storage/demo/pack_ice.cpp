@@ -4,8 +4,10 @@
 #include <numbers>
 
 #include "storage/demo/bathymetry_file.hpp"
+#include "storage/demo/bell.hpp"
 #include "storage/demo/current_file.hpp"
 #include "storage/demo/flat_earth.hpp"
+#include "storage/demo/geojson_files.hpp"
 #include "storage/demo/ice_file.hpp"
 #include "storage/demo/scenarios.hpp"
 #include "storage/demo/smooth_noise.hpp"
@@ -20,8 +22,9 @@ constexpr RasterFrame pack_frame{-66.01, 72.7255, 0.03, 0.009, 134, 61};
 constexpr double half_belt_m = 40'000.0;
 constexpr double pack_edge_m = 3'000.0;  // width of the zone in which the ice thins out
 constexpr double drift_south_m_s = 2'500.0 / 86'400.0;
-constexpr double half_lead_east_m = 5'000.0;
-constexpr double half_lead_north_m = 9'000.0;
+constexpr double half_lead_east_m = 7'000.0;
+constexpr double half_lead_north_m = 14'000.0;
+constexpr double island_radius_m = 2'000.0;
 constexpr int pack_hours = 144;
 constexpr std::array pack_depths_m{0.0, 50.0, 200.0, 400.0};
 
@@ -31,7 +34,11 @@ struct FromMiddle {
   double y_m{};
 };
 
-constexpr std::array<FromMiddle, 3> leads{{{-21'000.0, 15'000.0}, {0.0, -10'000.0}, {21'000.0, 19'000.0}}};
+// Where the ice is when a glider comes there, one to three days after the start, the straight line crosses the
+// western and the eastern lead. The icebergs are on the line between them, and the third lead is north of these.
+constexpr std::array<FromMiddle, 3> leads{{{-24'000.0, 6'000.0}, {0.0, 20'000.0}, {24'000.0, 8'000.0}}};
+constexpr std::array<FromMiddle, 2> bergs{{{-4'800.0, 8'500.0}, {-800.0, 8'500.0}}};
+constexpr FromMiddle island{52'000.0, 22'000.0};
 
 /// An eddy; positive speed turns anticlockwise.
 struct PackEddy {
@@ -49,6 +56,15 @@ FromMiddle from_middle(geo::LonLat place) {
   return {(place.lon_deg - middle_of_pack.lon_deg) * pack_earth.metres_per_degree_lon(),
           (place.lat_deg - middle_of_pack.lat_deg) * metres_per_degree_lat};
 }
+
+geo::LonLat place_at(FromMiddle here) {
+  return {middle_of_pack.lon_deg + here.x_m / pack_earth.metres_per_degree_lon(),
+          middle_of_pack.lat_deg + here.y_m / metres_per_degree_lat};
+}
+
+double from_island_m(FromMiddle here) { return std::hypot(here.x_m - island.x_m, here.y_m - island.y_m); }
+
+bool is_island(FromMiddle here) { return from_island_m(here) < island_radius_m; }
 
 /// Share of ice: 0 well outside of the edge, 1 well inside.
 double share_inside(double depth_inside_m) {
@@ -73,7 +89,7 @@ IceLayer pack_ice(const SmoothNoise& noise, core::Seconds since_start) {
     const double concentration = std::clamp(belt * (1.0 - open) * (0.95 + 0.05 * rough), 0.0, 1.0);
     layer.concentration.push_back(concentration);
     layer.thickness_m.push_back(concentration > 0.0 ? 1.2 + 0.4 * rough : 0.0);
-    layer.masked.push_back(false);
+    layer.masked.push_back(is_island(here));
   }
   return layer;
 }
@@ -98,6 +114,7 @@ CurrentLayer pack_currents(core::Seconds since_start, double depth_m) {
       east -= turning * y;
       north += turning * x;
     }
+    layer.masked[i] = is_island(here);
     layer.flow.east[i] = fading * east;
     layer.flow.north[i] = fading * north;
   }
@@ -109,19 +126,49 @@ std::vector<float> pack_elevation_m(std::uint64_t seed) {
   std::vector<float> elevation_m;
   for (std::size_t i = 0; i < pack_frame.size(); ++i) {
     const FromMiddle here = from_middle(pack_frame.centre(i));
-    elevation_m.push_back(static_cast<float>(
-        std::round(-1'500.0 - 400.0 * hills.at(here.x_m / 25'000.0, here.y_m / 25'000.0))));
+    const double deep_m = -1'500.0 - 400.0 * hills.at(here.x_m / 25'000.0, here.y_m / 25'000.0);
+    const double slope = bell(from_island_m(here), 2.0 * island_radius_m);
+    elevation_m.push_back(static_cast<float>(std::round(deep_m * (1.0 - 1.3 * slope))));
   }
   return elevation_m;
+}
+
+geo::Polygon island_shore() {
+  geo::Polygon land;
+  constexpr int corners = 36;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / corners;
+    land.outer.push_back(place_at(
+        {island.x_m + island_radius_m * std::cos(angle), island.y_m + island_radius_m * std::sin(angle)}));
+  }
+  return land;
+}
+
+std::vector<ocean::Iceberg> pack_icebergs(core::UtcTime start) {
+  std::vector<ocean::Iceberg> icebergs;
+  for (const FromMiddle& here : bergs) {
+    ocean::Iceberg berg;
+    berg.id = "PACK-" + std::to_string(icebergs.size() + 1);
+    berg.place = place_at(here);
+    berg.observed = start;
+    berg.size = ocean::IcebergSize::large;
+    berg.length = core::Metres{160.0};
+    berg.draft = core::Metres{106.0};  // Barker et al. 2004, as in disko
+    berg.position_uncertainty = core::Metres{300.0};
+    berg.method = "SAT-HIGH";
+    icebergs.push_back(berg);
+  }
+  return icebergs;
 }
 
 }  // namespace
 
 std::vector<std::filesystem::path> write_pack_ice(const std::filesystem::path& dir, std::uint64_t seed,
                                                   core::UtcTime start) {
-  const std::vector<std::filesystem::path> files{dir / "pack-ice-synthetic-bathymetry.tif",
-                                                 dir / "pack-ice-synthetic-currents.nc",
-                                                 dir / "pack-ice-synthetic-ice.nc"};
+  const std::vector<std::filesystem::path> files{
+      dir / "pack-ice-synthetic-bathymetry.tif", dir / "pack-ice-synthetic-currents.nc",
+      dir / "pack-ice-synthetic-ice.nc", dir / "pack-ice-synthetic-icebergs.geojson",
+      dir / "pack-ice-synthetic-coastline.geojson"};
   write_bathymetry(
       files[0], pack_frame, pack_elevation_m(seed),
       "Depths below invented pack ice in Baffin Bay: synthetic, not for navigation. Metres, positive up.");
@@ -148,6 +195,16 @@ std::vector<std::filesystem::path> write_pack_ice(const std::filesystem::path& d
              .frame = pack_frame,
              .times = days,
              .layer = [&](core::UtcTime time) { return pack_ice(floes, time - start); }});
+  write_icebergs(files[3], pack_icebergs(start),
+                 {.name = "Icebergs in invented pack ice (synthetic, not for navigation)",
+                  .description = "Synthetic, not for navigation. No berg here was ever seen.",
+                  .source = ""});
+  write_coastline(files[4], {island_shore()},
+                  {middle_of_pack.lon_deg - 2.5, middle_of_pack.lat_deg - 0.5, middle_of_pack.lon_deg + 2.5,
+                   middle_of_pack.lat_deg + 0.5},
+                  {.name = "An invented island in Baffin Bay (synthetic, not for navigation)",
+                   .description = "Synthetic, not for navigation. There is no land in this place.",
+                   .source = ""});
   return files;
 }
 

@@ -60,15 +60,18 @@ inline constexpr std::string_view pack_ice_readme =
 NOT FOR NAVIGATION. Everything here is invented.
 
 A belt of closed ice 80 km wide in Baffin Bay, at 64W 73N, with open water in the east and in the west.
-A glider takes about three days below it; in three leads, 10 km by 18 km, it can surface on the way. They
-lie beside the straight line and drift southwards with the ice. A plan across with a bound on the time
-between surfacings (--max-time-without-surfacing PT20H) leads through them.
+A glider takes about three days from one side to the other. In three leads, 14 km by 28 km, it can surface
+on the way. The ice and its leads drift southwards. Two icebergs lie on the straight line. South of them
+the route is shortest, but the ice is closed for a whole day. A plan with a limit on the time between
+surfacings (--max-time-without-surfacing PT12H) passes north of them, through the third lead.
 
-  pack-ice-synthetic-bathymetry.tif   GeoTIFF, EPSG:4326, about 1 km, metres, positive up
-  pack-ice-synthetic-currents.nc      NetCDF-4, CF-1.8, hourly for six days, about 1 km: a weak drift and
-                                      four eddies from formulas. No forecast model was run.
-  pack-ice-synthetic-ice.nc           NetCDF-4, CF-1.8, daily for six days: concentration and thickness.
-                                      No ice was observed.
+  pack-ice-synthetic-bathymetry.tif     GeoTIFF, EPSG:4326, about 1 km, metres, positive up
+  pack-ice-synthetic-currents.nc        NetCDF-4, CF-1.8, hourly for six days, about 1 km: a weak drift
+                                        and four eddies from formulas. No forecast model was run.
+  pack-ice-synthetic-ice.nc             NetCDF-4, CF-1.8, daily for six days: concentration and thickness.
+                                        No ice was observed.
+  pack-ice-synthetic-icebergs.geojson   Two icebergs. None of them was ever seen.
+  pack-ice-synthetic-coastline.geojson  An island in the north-east. There is no land in this place.
 
 The files are in the public domain (CC0-1.0). The same seed and start time give the same bytes.
 

@@ -73,7 +73,11 @@ std::vector<std::filesystem::path> write_disko(const std::filesystem::path& dir,
              .layer = [&](core::UtcTime time) {
                return make_disko_ice(relief, DiskoCurrents::frame(), seed, time - start);
              }});
-  write_icebergs(files[3], make_disko_icebergs(relief, seed, start));
+  write_icebergs(
+      files[3], make_disko_icebergs(relief, seed, start),
+      {.name = "Disko Bay icebergs (synthetic, not for navigation)",
+       .description = "Synthetic icebergs drawn at random, not for navigation. No berg here was ever seen.",
+       .source = ""});
   write_coastline(
       files[4], shoreline(disko::coast_area), disko::coast_area,
       {.name = "Disko Bay coastline (GSHHG, not for navigation)",
@@ -113,7 +117,7 @@ std::vector<std::string> example_request(Scenario scenario, core::UtcTime start)
     case Scenario::pack_ice:
       return {
           "plan",  "--from=-65.5,73.0", "--to=-62.5,73.0", "--depart", depart, "--max-time-without-surfacing",
-          "PT20H", "--escape-plan"};
+          "PT12H", "--escape-plan"};
     case Scenario::river: return {"plan", "--from=-56.98,66.00", "--to=-56.36,66.02", "--depart", depart};
     case Scenario::jet: return {"plan", "--from=-58.00,66.00", "--to=-56.00,66.00", "--depart", depart};
   }

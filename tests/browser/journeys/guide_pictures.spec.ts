@@ -111,11 +111,13 @@ test.describe('under pack ice', () => {
   test.use({ scenario: 'pack-ice' });
 
   test('a plan from lead to lead is pictured', { tag: '@long' }, async ({ page, request }) => {
-    const under_ice = { max_time_without_surfacing_s: 72_000, escape_plan: true };
+    const under_ice = { max_time_without_surfacing_s: 43_200, escape_plan: true };
     await plan(request, { from: [-65.5, 73], to: [-62.5, 73], name: 'From lead to lead', depart: '2026-11-22T06:00:00Z', under_ice });
     await open(page);
     await select(page, 'From lead to lead');
     await page.getByRole('button', { name: 'Fit the map to this plan' }).click();
+    // The hour at which the vehicle passes the icebergs.
+    await page.getByLabel('Time', { exact: true }).fill(String(Date.parse('2026-11-23T17:00:00Z')));
     await expectPicture(page, 'under-ice');
   });
 });

@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <iterator>
+#include <sstream>
 
 #include "engine/core/utc_text.hpp"
 #include "tests/server/cli/program.hpp"
+#include "tests/support/places.hpp"
 
 namespace floeplan::cli::demo_command_test {
 namespace {
@@ -140,23 +143,53 @@ TEST_F(DemoCli, WaitsForTheTideInTheStraitHoweverEarlyItDeparts) {
   EXPECT_NEAR(arrival_s(plan(late, {"--currents", "none"})) - arrival_s(still), 7'200.0, 5.0);
 }
 
-TEST_F(DemoCli, SurfacesInTheLeadsOfThePackIce) {
+TEST_F(DemoCli, PassesFromLeadToLeadBelowThePackIceWithoutACaution) {
   const json written = write({"--scenario", "pack-ice", "--start", "2027-03-05"}).json();
   ingest(written);
-  const std::vector<std::string> bounded_words = example_of(written);
-  auto free_words = bounded_words;
-  const auto bound = std::ranges::find(free_words, "--max-time-without-surfacing");
-  ASSERT_NE(bound, free_words.end());
-  free_words.erase(bound, bound + 2);
+  auto words = written["example"].get<std::vector<std::string>>();
+  words.push_back("--json");
 
-  const Outcome bounded = program_.run(bounded_words);
-  const Outcome free = program_.run(free_words);
+  const Outcome outcome = program_.run(words);
 
-  ASSERT_EQ(bounded.exit_code, 0) << bounded.err;
-  ASSERT_EQ(free.exit_code, 0) << free.err;
-  EXPECT_LE(bounded.json()["surfacing"]["longest_without_surfacing_s"], 72'000.0);
-  EXPECT_GT(free.json()["surfacing"]["longest_without_surfacing_s"], 2.0 * 72'000.0);
-  EXPECT_GT(bounded.json()["travel_time_s"], free.json()["travel_time_s"]);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json plan = outcome.json();
+  for (const json& message : plan["messages"]) EXPECT_EQ(message["rank"], "note") << message;
+  EXPECT_LE(plan["surfacing"]["longest_without_surfacing_s"], 43'200.0);
+  EXPECT_GE(plan["surfacing"]["below_ice"].size(), 4U);
+}
+
+TEST_F(DemoCli, PassesSouthOfTheLeadsOfThePackIceWithoutALimit) {
+  const json written = write({"--scenario", "pack-ice", "--start", "2027-03-05"}).json();
+  ingest(written);
+  auto words = example_of(written);
+  const auto limit = std::ranges::find(words, "--max-time-without-surfacing");
+  ASSERT_NE(limit, words.end());
+  words.erase(limit, limit + 2);
+
+  const Outcome outcome = program_.run(words);
+
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_GT(outcome.json()["surfacing"]["longest_without_surfacing_s"], 2.0 * 36'000.0);
+  EXPECT_FALSE(outcome.json()["dangers"].empty());
+}
+
+TEST_F(DemoCli, PrintsCommandsThatWorkWhenCopied) {
+  const std::filesystem::path folder = program_.folder() / "my demo";
+  const Outcome written = program_.run_alone({"demo", folder.string(), "--scenario", "river"});
+  ASSERT_EQ(written.exit_code, 0) << written.err;
+
+  std::string script = "set -e; cd '" + program_.folder().string() + "'\nfloeplan() { '" +
+                       support::program_folder() + "/floeplan' \"$@\"; }\n";
+  std::istringstream lines{written.err};
+  int commands = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("  floeplan")) continue;
+    script += line + " >> printed\n";
+    ++commands;
+  }
+
+  EXPECT_EQ(commands, 2) << written.err;
+  EXPECT_EQ(std::system(script.c_str()), 0) << script;
 }
 
 }  // namespace

@@ -68,10 +68,10 @@ TEST(IngestDemo, StoresABeltOfPackIceWithLeadsThatDriftWithIt) {
     const double south_deg = 2500.0 * days / 111'500.0;
     EXPECT_LT(concentration(-65.6, 73.0, days), 0.05) << days;  // west of the belt
     EXPECT_LT(concentration(-62.4, 73.0, days), 0.05) << days;
-    EXPECT_GT(concentration(-64.3, 73.0 - south_deg, days), 0.8) << days;
-    EXPECT_LT(concentration(-64.644, 73.1345 - south_deg, days), 0.05) << days;  // the western lead
-    EXPECT_LT(concentration(-64.0, 72.9103 - south_deg, days), 0.05) << days;
-    EXPECT_LT(concentration(-63.356, 73.1704 - south_deg, days), 0.05) << days;
+    EXPECT_GT(concentration(-64.0, 73.0 - south_deg, days), 0.8) << days;        // the middle of the belt
+    EXPECT_LT(concentration(-64.736, 73.0538 - south_deg, days), 0.05) << days;  // the western lead
+    EXPECT_LT(concentration(-64.0, 73.1794 - south_deg, days), 0.05) << days;
+    EXPECT_LT(concentration(-63.264, 73.0717 - south_deg, days), 0.05) << days;
   }
 }
 
