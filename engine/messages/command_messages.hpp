@@ -281,13 +281,13 @@ inline constexpr auto command_kinds = std::to_array<Kind>({
     // Notes after a successful command.
     {.code = "token-shown-once",
      .rank = Rank::note,
-     .text = "Keep this token secret like a password. It is not shown again:"},
+     .text = "keep this token secret like a password. It is not shown again:"},
     {.code = "last-token-revoked",
      .text =
-         "That was the last token. The server admits nobody until you add another with floeplan token add."},
+         "that was the last token. The server admits nobody until you add another with floeplan token add"},
     {.code = "data-synthetic",
-     .text = "These data are synthetic and not for navigation. README.txt beside them says which parts are "
-             "real."},
+     .text = "these data are synthetic and not for navigation. README.txt beside them says which parts are "
+             "real"},
 });
 
 /// Makes the message with this code. `given`: its values, in the order of its slots in the table above.

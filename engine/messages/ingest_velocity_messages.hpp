@@ -138,9 +138,11 @@ inline constexpr auto ingest_velocity_kinds = std::to_array<Kind>({
                 {"advice", "Name one component with --variable, for example --variable u1"}}}},
     {.code = "title-contradicts",
      .rank = Rank::caution,
-     .text = "the title of the file (\"{title}\") speaks of {what}, but {variables} do not. They were stored "
-             "as the {stored}. If the title is right, this is wrong",
-     .hint = "Ask the producer before you plan",
+     .text =
+         "the title of the file (\"{title}\") names {what}, but the attributes of {variables} do not. They "
+         "were stored as the {stored}. If the title is right, they are {what}, and a plan with them is "
+         "wrong",
+     .hint = "Ask the producer what they are before you plan",
      .slots = {{{"title", "Monthly standard deviation"},
                 {"what", "a standard deviation"},
                 {"variables", "\"uo\" and \"vo\""},

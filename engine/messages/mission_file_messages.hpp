@@ -237,8 +237,9 @@ inline constexpr auto mission_file_kinds = std::to_array<Kind>({
      .slots = {{{"file", "yo10.ma"}, {"named", "yo"}, {"behavior", "goto_list"}}}},
     {.code = "no_abend",
      .rank = Rank::note,
-     .text = "the file has no abend, so the vehicle does not run it and can only load its sensors",
-     .hint = "to fly the mission, add the behavior abend"},
+     .text = "the file has no behavior abend, so the vehicle refuses to fly it and can only load it to set "
+             "sensors",
+     .hint = "Add the behavior abend to fly the mission"},
 
     // Lists of waypoints.
     {.code = "too_many_waypoints",

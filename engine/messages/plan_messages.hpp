@@ -440,9 +440,9 @@ inline constexpr auto plan_kinds = std::to_array<Kind>({
                  "next list at once."}}}},
     {.code = "speed-not-made",
      .rank = Rank::caution,
-     .text = "With this pump and pitch, no plausible drag gives the planned speed. The flight uses the drag "
+     .text = "with this pump and pitch, no plausible drag gives the planned speed. The flight uses the drag "
              "of the vehicle profile, so the vehicle is slower or faster than planned",
-     .hint = "Check the pump, the pitch and the planned speed."},
+     .hint = "Check the pump, the pitch and the planned speed"},
     {.code = "earlier-danger",
      .rank = Rank::danger,
      .text = "{remark}",

@@ -50,7 +50,7 @@ int add_token(const TokenFlags& flags, const Program& program) {
   if (flags.json_out) {
     std::cout << json{{"name", token.name}, {"role", flags.role}, {"token", text}}.dump(2) << '\n';
   } else {
-    std::cerr << messages::command_text<"token-shown-once">() << '\n';
+    std::cerr << "note: " << messages::command_text<"token-shown-once">() << '\n';
     std::cout << text << '\n';
   }
   return done;
@@ -85,7 +85,7 @@ int revoke_token(const TokenFlags& flags, const Program& program) {
   auto db = open_existing_store(program);
   TokenRepository tokens{db};
   if (!tokens.remove(flags.name)) return complain<"no-such-token">(could_not, flags.name);
-  if (!tokens.any()) std::cerr << messages::command_text<"last-token-revoked">() << '\n';
+  if (!tokens.any()) std::cerr << "caution: " << messages::command_text<"last-token-revoked">() << '\n';
   return done;
 }
 

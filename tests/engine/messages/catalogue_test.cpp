@@ -62,6 +62,17 @@ TEST(Catalogue, NamesTheUnitOfEveryNumber) {
   }
 }
 
+/// A message follows its rank and a colon. Who shows it as a sentence adds the capital and the full stop.
+TEST(Catalogue, BeginsSmallUnlessWithANameAndEndsWithoutAFullStop) {
+  const auto is_capital = [](char letter) { return letter >= 'A' && letter <= 'Z'; };
+  for (const Kind& kind : catalogue()) {
+    const bool begins_with_name = kind.text.size() > 1 && is_capital(kind.text[1]);  // GSHHG, TLS
+    EXPECT_TRUE(begins_with_name || !is_capital(kind.text.front())) << kind.code;
+    for (const std::string_view words : {kind.text, kind.hint})
+      EXPECT_TRUE(words.ends_with("...") || !words.ends_with('.')) << kind.code;
+  }
+}
+
 TEST(Catalogue, SaysWhatToDoAboutEveryDangerOfANewPlan) {
   for (const std::span<const Kind> kinds :
        {std::span<const Kind>{plan_kinds}, std::span<const Kind>{data_kinds}}) {

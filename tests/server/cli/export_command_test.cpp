@@ -155,7 +155,7 @@ TEST(Export, RefusesAPlanThatNewerDataClose) {
   const std::vector<std::string> accepted{"export", id, "--out", out.string(), "--accept-dangers"};
   const Outcome written = program.run(accepted);
   EXPECT_EQ(written.exit_code, 0);
-  EXPECT_THAT(written.err, HasSubstr("In the newest data, leg 1 is closed"));
+  EXPECT_THAT(written.err, HasSubstr("in the newest data, leg 1 is closed"));
   EXPECT_EQ(program.run(accepted).exit_code, 1) << "nor the reverse";
 }
 
@@ -184,7 +184,7 @@ TEST(Export, RefusesSuchAPlanInEveryFormatOfAVehicleOrChart) {
   for (const std::string format : {"html", "pdf"}) {
     const Outcome brief = program.run({"export", id, "--format", format, "--out", out.string()});
     EXPECT_EQ(brief.exit_code, 0) << brief.err;
-    EXPECT_THAT(brief.err, HasSubstr("danger: In the newest data, leg 1 is closed"));
+    EXPECT_THAT(brief.err, HasSubstr("danger: in the newest data, leg 1 is closed"));
     const auto served_brief = served.get("/collections/plans/items/" + id + "/mission." + format);
     EXPECT_EQ(served_brief.status, 200);
     if (format == "html") EXPECT_THAT(served_brief.body, HasSubstr("In the newest data, leg 1 is closed"));

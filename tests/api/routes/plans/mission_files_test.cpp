@@ -121,7 +121,7 @@ TEST_F(MissionFilesTest, WarnInTheArchivesHeadersOfAllThatTheyWarnOfByThemselves
   const auto zip = warnings_of(ask("GET", "/collections/plans/items/p1/mission.zip?full=true"));
 
   EXPECT_THAT(zip, testing::UnorderedElementsAreArray(set["warnings"].get<std::vector<std::string>>()));
-  EXPECT_THAT(zip, Contains(HasSubstr("Pump and pitch in the yo file")));
+  EXPECT_THAT(zip, Contains(HasSubstr("pump and pitch in the yo file")));
 }
 
 TEST_F(MissionFilesTest, SayWhatThePlanWasMadeWithout) {

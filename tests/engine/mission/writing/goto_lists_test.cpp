@@ -571,7 +571,7 @@ TEST(GotoLists, NameTheLegsOnTheThruster) {
 
   ASSERT_TRUE(lists.has_value());
   EXPECT_THAT(messages::sentences(lists->messages),
-              Contains(HasSubstr("The legs to waypoints 1, 3 to 4 are planned with the thruster")));
+              Contains(HasSubstr("the legs to waypoints 1, 3 to 4 are planned with the thruster")));
 }
 
 TEST(GotoLists, OfAnyPlanEndWhereTheVehicleMaySurfaceOrAreRefused) {

@@ -307,7 +307,7 @@ TEST(MissionSet, UnderIceWaitsForContactLongerThanThePlanTakesAndTellsTheLongest
   ASSERT_TRUE(set.has_value());
   EXPECT_EQ(value_of(read_of(*set, "surfac10.ma"), "when_secs"), 50.0 * 3600.0);
   EXPECT_THAT(messages::sentences(set->messages),
-              Contains(HasSubstr("A list takes 20 h below ice without contact")));
+              Contains(HasSubstr("a list takes 20 h below ice without contact")));
 }
 
 TEST(MissionSet, OfAPlanUnderAnIcebergTurnsBelowItsKeelAndNeedsTheRulesUnderIce) {

@@ -110,14 +110,14 @@ TEST(SafePlaces, OfWhichNothingIsKnownAreNamed) {
   EXPECT_THAT(messages::sentences(findings(plan, {refuge, {}}).messages),
               ElementsAre(HasSubstr("the sea bed and the ice")));
   EXPECT_THAT(messages::sentences(findings(plan, {refuge, no_ice}).messages),
-              ElementsAre(HasSubstr("Data on the ice at")));
+              ElementsAre(HasSubstr("data on the ice at")));
   EXPECT_THAT(messages::sentences(
                   findings(plan, {refuge, sea(plan, 300.0, {{-200.0, 0.0F}, {-100.0, 0.0F}})}).messages),
-              ElementsAre(HasSubstr("Data on the ice at")))
+              ElementsAre(HasSubstr("data on the ice at")))
       << "older than ice holds";
   EXPECT_THAT(messages::sentences(
                   findings(plan, {refuge, sea(plan, 300.0, {{-240.0, 0.0F}, {240.0, 0.0F}})}).messages),
-              ElementsAre(HasSubstr("Data on the ice at")))
+              ElementsAre(HasSubstr("data on the ice at")))
       << "in a long gap";
 }
 
@@ -152,7 +152,7 @@ TEST(SafePlaces, AreNotBelowIcebergsAndSayWhichAreNear) {
   const SafePlaceFindings near = findings(plan, {refuge, open});
   EXPECT_THAT(near.violations, IsEmpty());
   EXPECT_THAT(messages::sentences(near.messages),
-              ElementsAre(HasSubstr("Iceberg B1 was seen within 2.2 km of the safe place")));
+              ElementsAre(HasSubstr("iceberg B1 was seen within 2.2 km of the safe place")));
 }
 
 }  // namespace
