@@ -14,7 +14,7 @@ struct GuideText {
   [[nodiscard]] std::string_view title() const;
 };
 
-/// All pages of web/guide except the front page, by name.
+/// All pages that the front page of the guide, web/guide/README.md, lists, in its order.
 [[nodiscard]] std::span<const GuideText> guide_texts();
 
 }  // namespace floeplan::manual

@@ -1,11 +1,27 @@
 #include "server/manual/plain_text.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <regex>
 #include <sstream>
 #include <vector>
 
 namespace floeplan::manual {
 namespace {
+
+/// The text with the command that prints a page behind each link to it.
+std::string with_topics(const std::string& line) {
+  static const std::regex link{R"((\[[^\]]*\])\((?:[^)#]*/)?([A-Za-z-]+)\.md(#[^)]*)?\))"};
+  std::string text;
+  auto rest = line.cbegin();
+  for (std::sregex_iterator found{line.begin(), line.end(), link}, end; found != end; ++found) {
+    std::string topic = (*found)[2];
+    std::ranges::transform(topic, topic.begin(), [](unsigned char c) { return std::tolower(c); });
+    text.append(rest, (*found)[0].first).append((*found)[1]).append("() (floeplan help " + topic + ")");
+    rest = (*found)[0].second;
+  }
+  return text.append(rest, line.cend());
+}
 
 /// The text without marks for links, emphasis and code, and without Markdown's escapes.
 std::string unmarked(const std::string& line) {
@@ -14,7 +30,7 @@ std::string unmarked(const std::string& line) {
   static const std::regex emphasis{R"(\*([^*\s][^*]*)\*)"};
   static const std::regex mark{R"(`)"};
   static const std::regex escape{R"(\\([*<`\[]))"};
-  std::string text = std::regex_replace(line, link, "$1");
+  std::string text = std::regex_replace(with_topics(line), link, "$1");
   text = std::regex_replace(text, strong, "$1");
   text = std::regex_replace(text, emphasis, "$1");
   text = std::regex_replace(text, mark, "");

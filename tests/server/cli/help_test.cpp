@@ -4,8 +4,12 @@
 #include <cctype>
 #include <filesystem>
 #include <iterator>
+#include <regex>
+#include <set>
 #include <sstream>
 
+#include "engine/messages/catalogue.hpp"
+#include "engine/messages/sentence.hpp"
 #include "server/manual/command_help.hpp"
 #include "server/manual/guide_text.hpp"
 #include "tests/server/cli/program.hpp"
@@ -75,6 +79,35 @@ TEST(Help, ShowsThePagesOfTheGuide) {
     EXPECT_THAT(shown.out, testing::StartsWith(std::string{page.title()} + '\n'));
   }
   EXPECT_THAT(program.run({"help", "plan"}).out, HasSubstr("--max-hold"));
+}
+
+/// The links of printed texts: what the pages, the help of all commands and the messages name can be printed, too.
+TEST(Help, NamesOnlyTopicsAndCommandsThatThereAre) {
+  const Program program;
+  std::string texts;
+  std::set<std::string> known;
+  for (const manual::GuideText& page : manual::guide_texts()) {
+    known.emplace(page.name);
+    texts += program.run({"help", std::string{page.name}}).out;
+  }
+  for (const CommandHelp& command : manual::command_helps()) {
+    std::vector<std::string> words = words_of(command.command);
+    if (!words.empty()) known.insert(words.front());
+    words.emplace_back("--help-all");
+    texts += program.run(words).out;
+  }
+  for (const messages::Kind& kind : messages::catalogue())
+    texts += messages::whole_text(example_of(kind)) + '\n';
+
+  const std::set<std::string> verbs{"at", "lists", "needs"};  // of sentences about the program
+  const std::regex named{R"(\bfloeplan\s(?:--(?:data|store) \S+ )?(?:help\s)?([a-z][a-z-]+))"};
+  int found = 0;
+  for (std::sregex_iterator at{texts.begin(), texts.end(), named}, end; at != end; ++at) {
+    if (verbs.contains((*at)[1])) continue;
+    EXPECT_TRUE(known.contains((*at)[1])) << at->str();
+    ++found;
+  }
+  EXPECT_GT(found, 150);
 }
 
 TEST(Help, SaysWhatWasMeant) {

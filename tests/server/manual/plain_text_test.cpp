@@ -13,8 +13,8 @@ using testing::HasSubstr;
 using testing::Not;
 
 TEST(PlainText, HasNoMarks) {
-  EXPECT_EQ(plain_text("# Data in\n\nSee [the **map**](map.md#keys), *now*: `--kind` \\*.\n", 80),
-            "Data in\n=======\n\nSee the map, now: --kind *.\n");
+  EXPECT_EQ(plain_text("# Data in\n\nSee [the **map**](../guide/map.md#keys), *now*: `--kind` \\*.\n", 80),
+            "Data in\n=======\n\nSee the map (floeplan help map), now: --kind *.\n");
 }
 
 TEST(PlainText, TellsATableRowByRow) {

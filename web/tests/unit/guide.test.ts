@@ -86,5 +86,10 @@ describe('the guide', () => {
     const sections = JSON.parse(searchText(guide)) as { address: string; text: string }[];
     expect(new Set(sections.map(({ address }) => address)).size).toBe(sections.length);
     expect(sections.some(({ address }) => address === '/guide/data#zones')).toBe(true);
+    const anchors = new Map(guide.pages.map(({ name, html }) => [name, new Set([...html.matchAll(/ id="([^"]+)"/g)].map(([, id = '']) => id))]));
+    for (const { address } of sections) {
+      const [, name = '', anchor] = /^\/guide(?:\/([a-z-]+))?(?:#(.+))?$/.exec(address) ?? [];
+      expect(anchors.has(name) && (anchor === undefined || anchors.get(name)?.has(anchor)), address).toBe(true);
+    }
   });
 });
