@@ -65,7 +65,9 @@ function spoken(verdict: Verdict, { origin }: RouteEdit): string {
   switch (verdict.state) {
     case 'ok': {
       const more_s = verdict.plan.travel_time_s - origin.travel_time_s;
-      return `Travel time ${duration(verdict.plan.travel_time_s)}, ${duration(Math.abs(more_s))} ${more_s < 0 ? 'less' : 'more'} than planned.${warnedOf(verdict.plan)}`;
+      const size = duration(Math.abs(more_s));
+      const change = size === duration(0) ? 'as planned' : `${size} ${more_s < 0 ? 'less' : 'more'} than planned`;
+      return `Travel time ${duration(verdict.plan.travel_time_s)}, ${change}.${warnedOf(verdict.plan)}`;
     }
     case 'infeasible':
       return `The route cannot be flown. ${reasonTitle(verdict.answer.reason)}. ${verdict.answer.explanation}`;

@@ -44,6 +44,15 @@ describe('the edit of a route', () => {
     expect(edit().route[1]).toEqual([-51.5, 69]);
   });
 
+  it('leaves nothing to undo when it is discarded after all its changes were undone', () => {
+    const before = lastDone.value;
+    moveWaypoint(1, [-51.4, 69.05]);
+    undo();
+    discardEdit();
+    expect(lastDone.value).toBe(before);
+    expect(redo()).toBeUndefined();
+  });
+
   it('has no changes to take back once it is a plan', () => {
     moveWaypoint(1, [-51.4, 69.05]);
     closeSavedEdit();

@@ -15,6 +15,7 @@ export type Verdict =
 
 /** An edited copy of a plan's route; the plan itself does not change. */
 export interface RouteEdit {
+  key: string; // of its changes for undo
   origin: Plan;
   conditions: Conditions;
   conditionsKnown: boolean; // false: the plan's own request is unknown, so the set-up's margin is used
@@ -29,24 +30,30 @@ export const routeEdit = signal<RouteEdit | undefined>(undefined);
 /** The edit in view: that of the selected plan. */
 export const openEdit = computed(() => (routeEdit.value?.origin.plan_id === selectedId.value ? routeEdit.value : undefined));
 
-/** The key of an edit's changes for undo. */
-const changesOf = ({ origin }: RouteEdit): string => `route of ${origin.plan_id}`;
+/** How many edits were opened. */
+let opened = 0;
+
+const isUnchanged = ({ route, origin }: RouteEdit): boolean =>
+  route.length === origin.waypoints.length && route.every(([lon, lat], i) => lon === origin.waypoints[i]?.lon && lat === origin.waypoints[i].lat);
 
 /** Opens the edit of a plan and closes the one before. Undo brings that back. */
 export function startEdit(plan: Plan): void {
   discardEdit();
   const { conditions, known } = conditionsOf(plan);
   routeEdit.value = {
-    origin: plan, conditions, conditionsKnown: known, route: routeOf(plan), number: 0, verdict: { state: 'ok', plan }, figures: plan,
+    key: `edit ${++opened}`, origin: plan, conditions, conditionsKnown: known, route: routeOf(plan), number: 0, verdict: { state: 'ok', plan }, figures: plan,
   };
 }
 
-/** Discards the changes. Undo brings them back. */
+/** Discards the changes. Undo brings them back; where all have been undone, there is nothing to bring back. */
 export function discardEdit(): void {
   const edit = routeEdit.peek();
   if (!edit) return;
   routeEdit.value = undefined;
-  if (edit.number === 0) return;
+  if (isUnchanged(edit)) {
+    forgetChanges(edit.key);
+    return;
+  }
   const back = (): void => {
     routeEdit.value = edit.verdict.state === 'pending' ? { ...edit, number: edit.number + 1 } : edit;
     select(edit.origin.plan_id);
@@ -54,13 +61,13 @@ export function discardEdit(): void {
   const again = (): void => {
     routeEdit.value = undefined;
   };
-  remember({ title: `discarding the changes of ${titleOf(edit.origin)}`, of: changesOf(edit), back, again });
+  remember({ title: `discarding the changes of ${titleOf(edit.origin)}`, of: edit.key, back, again });
 }
 
 /** Ends an edit that was stored as a plan of its own. Its changes can no longer be undone. */
 export function closeSavedEdit(): void {
   const edit = routeEdit.peek();
-  if (edit) forgetChanges(changesOf(edit));
+  if (edit) forgetChanges(edit.key);
   routeEdit.value = undefined;
 }
 
@@ -80,7 +87,7 @@ function change(title: string, next: (route: Position[]) => Position[]): void {
   const { origin, route } = edit;
   const changed = next(route);
   become(origin, changed);
-  remember({ title, of: changesOf(edit), back: () => become(origin, route), again: () => become(origin, changed) });
+  remember({ title, of: edit.key, back: () => become(origin, route), again: () => become(origin, changed) });
 }
 
 export const moveWaypoint = (index: number, place: Position): void =>
@@ -121,9 +128,10 @@ export function halfway(from: Position, to: Position): Position {
 }
 
 /** Why the edited route cannot become a plan now; undefined when it can. */
-export function whyNotSaved({ verdict, number }: RouteEdit): string | undefined {
+export function whyNotSaved(edit: RouteEdit): string | undefined {
+  const { verdict } = edit;
   if (verdict.state === 'pending') return 'Its figures are being worked out.';
   if (verdict.state === 'infeasible') return 'It cannot be flown as it is.';
   if (verdict.state === 'failed') return 'Its figures could not be worked out.';
-  return number === 0 ? 'Nothing has been changed yet.' : undefined;
+  return isUnchanged(edit) ? 'Nothing has been changed yet.' : undefined;
 }

@@ -71,7 +71,8 @@ function Row({ index, place, figures, depart_ms, removable }: RowProps): VNode {
 
 /**
  * A field that takes effect when it loses the focus or Enter is pressed; a text that cannot be read stays, with its
- * fault, and changes nothing.
+ * fault, and changes nothing. Passing it by Tab does not select the waypoint: on the map, keys would move another one than
+ * the one that was chosen.
  */
 function PositionInput({ index, place }: { index: number; place: Position }): VNode {
   const written = editablePosition(place);
@@ -97,8 +98,11 @@ function PositionInput({ index, place }: { index: number; place: Position }): VN
       <input
         type="text" aria-label={`Position of waypoint ${waypointLabel(index)}`} value={typed ?? written} autocomplete="off" spellcheck={false}
         aria-invalid={fault ? true : undefined} aria-describedby={fault ? `waypoint-fault-${index}` : undefined}
-        onFocus={() => { selectedWaypoint.value = index; }}
-        onInput={(event) => setTyped(event.currentTarget.value)}
+        onPointerDown={() => { selectedWaypoint.value = index; }}
+        onInput={(event) => {
+          selectedWaypoint.value = index;
+          setTyped(event.currentTarget.value);
+        }}
         onChange={(event) => take(event.currentTarget.value)}
         onKeyDown={(event) => {
           if (event.key === 'Escape') {
