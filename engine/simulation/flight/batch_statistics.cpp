@@ -96,8 +96,9 @@ RunSummary summary_of(const FlightRecord& record) {
   for (const TrackPoint& point : record.track)
     summary.worst_position_error_m = std::max(summary.worst_position_error_m, position_error_m(point));
   for (const ClosestApproach& approach : record.approaches) {
-    if (!summary.clearance_m || approach.distance_m < *summary.clearance_m)
-      summary.clearance_m = approach.distance_m;
+    // A flight ends within the step in which it touches: a vehicle is then a little inside.
+    const double clearance_m = std::max(0.0, approach.distance_m);
+    if (!summary.clearance_m || clearance_m < *summary.clearance_m) summary.clearance_m = clearance_m;
   }
   return summary;
 }
@@ -118,7 +119,8 @@ std::optional<Distribution> distribution_of(std::vector<double> values) {
     for (const double value : values) squares += (value - found.mean) * (value - found.mean);
     found.standard_deviation = std::sqrt(squares / (n - 1.0));
     const double half = student_t(n - 1.0) * *found.standard_deviation / std::sqrt(n);
-    found.mean_interval = Interval{found.mean - half, found.mean + half};
+    const double low = found.mean - half;
+    found.mean_interval = Interval{found.least >= 0.0 ? std::max(0.0, low) : low, found.mean + half};
   }
   for (const double share : {0.05, 0.25, 0.5, 0.75, 0.95})
     found.quantiles.push_back({share, quantile_of(values, share), quantile_interval(values, share)});

@@ -67,7 +67,7 @@ struct Distribution {
 /// Quantile between the two values next to share * (n - 1), linearly (type 7 of Hyndman and Fan 1996, Am.
 /// Stat. 50) Interval of a quantile: order statistics by the binomial distribution, valid for any
 /// distribution (David and Nagaraja 2003, Order statistics, 3rd ed., section 7.1); of the mean: Student's t,
-/// by the expansion of Abramowitz and Stegun 1964, 26.7.5
+/// by the expansion of Abramowitz and Stegun 1964, 26.7.5, cut off at 0 if no value is negative, as of distances
 [[nodiscard]] std::optional<Distribution> distribution_of(std::vector<double> values);
 
 /// Share of the runs with a property.

@@ -35,9 +35,14 @@ TEST(Distribution, HasStudentsIntervalOfTheMean) {
   // t tables: 12.7062 with one degree of freedom, 2.7764 with four, 2.0452 with 29.
   for (const auto& [n, t] : {std::pair{2, 12.7062}, std::pair{5, 2.7764}, std::pair{30, 2.0452}}) {
     const auto found = distribution_of(one_to(n));
-    const double half = 0.5 * (found->mean_interval->high - found->mean_interval->low);
+    const double half = found->mean_interval->high - found->mean;
     EXPECT_NEAR(half * std::sqrt(n) / found->standard_deviation.value(), t, 0.003) << n;
   }
+}
+
+TEST(Distribution, OfDistancesHasNoNegativeInterval) {
+  EXPECT_EQ(distribution_of({0.0, 1.0, 20.0})->mean_interval->low, 0.0);
+  EXPECT_LT(distribution_of({-1.0, 1.0, 20.0})->mean_interval->low, -1.0);
 }
 
 TEST(Distribution, HasTheMediansIntervalOfTheBinomialTable) {

@@ -57,9 +57,6 @@ export function SimulationView({ simulation }: { simulation: Simulation }): VNod
   );
 }
 
-/** A confidence interval is symmetric: for a value that is never negative it is cut off at 0. */
-const possible = ([low, high]: Interval, { least }: Distribution): Interval => [least >= 0 ? Math.max(0, low) : low, high];
-
 function Spread({ title, of, text }: { title: string; of: Distribution | null; text: (value: number) => string }): VNode | null {
   if (!of) return null;
   const at = (share: number) => of.quantiles.find((quantile) => Math.abs(quantile.share - share) < 1e-6);
@@ -67,8 +64,8 @@ function Spread({ title, of, text }: { title: string; of: Distribution | null; t
   return (
     <tr>
       <th scope="row">{title}</th>
-      <td>{whole(text(of.mean))}{of.mean_interval_95 && <span class="difference">{between(possible(of.mean_interval_95, of), text)}</span>}</td>
-      <td>{median ? whole(text(median.value)) : none}{median?.interval_95 && <span class="difference">{between(possible(median.interval_95, of), text)}</span>}</td>
+      <td>{whole(text(of.mean))}{of.mean_interval_95 && <span class="difference">{between(of.mean_interval_95, text)}</span>}</td>
+      <td>{median ? whole(text(median.value)) : none}{median?.interval_95 && <span class="difference">{between(median.interval_95, text)}</span>}</td>
       <td>{low && high ? between([low.value, high.value], text) : none}</td>
     </tr>
   );
@@ -92,7 +89,7 @@ function FlightRow({ id, run, kept }: { id: string; run: Run; kept: boolean }): 
       {run.why && (
         <tr class="why">
           <td />
-          <td colSpan={4} class="difference">{run.why}{run.could_be_saved === false && ' Even with full knowledge of the ice, the vehicle could not have avoided this.'}</td>
+          <td colSpan={4}><span class="difference">{run.why}{run.could_be_saved === false && ' Even with full knowledge of the ice, the vehicle could not have avoided this.'}</span></td>
         </tr>
       )}
     </>
