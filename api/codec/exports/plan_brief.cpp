@@ -118,6 +118,14 @@ std::vector<std::string> ice_facts(const planning::Plan& plan) {
           ". Planned surfacings: " + std::to_string(plan.surfacing->surfacings.size()) + "."};
 }
 
+/// What the plan would be without the weight on encounters; empty if it has none.
+std::string without_weight(const std::optional<planning::EncounterTrade>& trade) {
+  if (!trade) return "";
+  return " An encounter counts as " + core::hours_minutes(trade->weight) +
+         "; without this weight: " + core::hours_minutes(trade->time_before) + " and " +
+         number(trade->encounters_before, 2) + " encounters.";
+}
+
 /// How the arrival spreads with the currents, and the chance of the arrival that was asked for.
 std::string spread_fact(const planning::UncertaintyReport& report) {
   const planning::ArrivalSpread& spread = report.spread;
@@ -220,7 +228,8 @@ std::vector<std::string> brief_facts(const planning::Plan& plan, const BriefNote
   if (plan.uncertainty) facts.push_back(spread_fact(*plan.uncertainty));
   std::ranges::move(hold_facts(plan), std::back_inserter(facts));
   if (plan.iceberg_encounters)
-    facts.push_back("Expected encounters with icebergs: " + number(*plan.iceberg_encounters, 2) + ".");
+    facts.push_back("Expected encounters with icebergs: " + number(*plan.iceberg_encounters, 2) + "." +
+                    without_weight(plan.encounter_trade));
   std::ranges::move(ice_facts(plan), std::back_inserter(facts));
   if (!notes.safe_places.empty()) facts.push_back(safe_places_fact(notes.safe_places));
   return facts;

@@ -213,6 +213,7 @@ export interface Plan extends Told {
     evaluations: number;
     stopped_by: 'converged' | 'evaluations' | 'time' | 'cancelled';
   } | null;
+  encounter_trade?: { weight_s: number; before: { travel_time_s: number; iceberg_encounters: number } } | null;
   leg_trade?: { legs: number; travel_time_s: number }[];
   clearances: { iceberg_m: number | null; iceberg_id?: string | null; land_m: number | null; bottom_m: number | null };
   datasets: DatasetRef[];

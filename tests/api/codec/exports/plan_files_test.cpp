@@ -407,6 +407,17 @@ TEST(PlanBrief, TellsTheChanceToArriveInTime) {
                   "within not known. Chance to arrive before 2026-11-20T07:40:00Z: 50 %."));
 }
 
+TEST(PlanBrief, TellsWhatTheWeightOnEncountersChanged) {
+  planning::Plan plan = two_legs();
+  plan.iceberg_encounters = 0.1;
+  plan.encounter_trade = {
+      .weight = core::Seconds{18'000.0}, .time_before = core::Seconds{6600.0}, .encounters_before = 0.25};
+
+  EXPECT_THAT(brief_facts(plan, {.plan_id = "p-01", .name = "", .messages = {}}),
+              testing::Contains("Expected encounters with icebergs: 0.10. An encounter counts as 5 h 00 min; "
+                                "without this weight: 1 h 50 min and 0.25 encounters."));
+}
+
 TEST(PlanBrief, NamesTheNearestIcebergTheEncountersAndTheSafePlaces) {
   planning::Plan plan = two_legs();
   plan.clearances.iceberg = core::Metres{812.0};

@@ -88,6 +88,12 @@ const figures: Figure[] = [
     why: () => 'Expected encounters with unreported icebergs',
   },
   {
+    title: 'Without the weight on encounters',
+    text: ({ encounter_trade }) =>
+      encounter_trade ? `${duration(encounter_trade.before.travel_time_s)}, ${encounter_trade.before.iceberg_encounters.toFixed(2)} encounters` : none,
+    why: ({ encounter_trade }) => (encounter_trade ? `An expected encounter counts as ${duration(encounter_trade.weight_s)}` : ''),
+  },
+  {
     title: 'Travel time, p10–p90',
     text: ({ uncertainty }) => {
       const [p10, p90] = [uncertainty?.quantiles_s.p10 ?? null, uncertainty?.quantiles_s.p90 ?? null];
@@ -105,7 +111,7 @@ const figures: Figure[] = [
 
 /** The values of a plan; beside another plan with the differences to it, and dimmed while they are computed again. */
 export function Figures({ plan, beside, pending = false }: { plan: Plan; beside?: Plan; pending?: boolean }): VNode {
-  const shown = figures.filter(({ title, text }) => text(plan) !== none || !/^(Energy|Battery|Iceberg enc|Sea ice unk|Time below|Travel time, |Chance|Holds)/.test(title));
+  const shown = figures.filter(({ title, text }) => text(plan) !== none || !/^(Energy|Battery|Iceberg enc|Sea ice unk|Time below|Without|Travel time, |Chance|Holds)/.test(title));
   return (
     <dl class={pending ? 'figures-grid pending' : 'figures-grid'} aria-busy={pending}>
       {shown.map((figure) => (
