@@ -278,9 +278,9 @@ std::string svg(const MapPicture& picture) {
   for (const auto& line : picture.grid) text += svg_line(line, "grid");
   for (const auto& label : picture.grid_labels) text += svg_label(label, "small");
   for (const auto& disc : picture.icebergs) text += circle_text("ice", disc.centre, disc.radius);
+  for (const auto& way : picture.escapes) text += svg_line(way, "casing") + svg_line(way, "escape");
   text += svg_line(picture.route, "casing") + svg_line(picture.route, "route");
   for (const auto& leg : picture.below_ice) text += svg_line(leg, "below");
-  for (const auto& way : picture.escapes) text += svg_line(way, "casing") + svg_line(way, "escape");
   for (const auto& place : picture.closed) text += square_text("closed", place);
   for (const auto& place : picture.surfacings) {
     text += circle_text("surfacing", place, surfacing_radius);

@@ -224,16 +224,16 @@ void draw_map(Sheet& sheet, const MapPicture& picture, cairo_t* pen) {
   sheet.colour(ink);
   for (const auto& label : picture.grid_labels) sheet.write_at(label.at.x, label.at.y, label.text);
   for (const auto& berg : picture.icebergs) disc(sheet, berg.centre, berg.radius, paper, ice);
+  for (const auto& way : picture.escapes) stroke(sheet, way, paper, 6.0);
+  constexpr std::array dots{2.0, 3.0};
+  cairo_set_dash(pen, dots.data(), dots.size(), 0.0);
+  for (const auto& way : picture.escapes) stroke(sheet, way, surfacing, 2.5);
+  cairo_set_dash(pen, nullptr, 0, 0.0);
   stroke(sheet, picture.route, paper, 6.0);
   stroke(sheet, picture.route, route, 2.5);
   constexpr std::array dashes{6.0, 6.0};
   cairo_set_dash(pen, dashes.data(), dashes.size(), 0.0);
   for (const auto& leg : picture.below_ice) stroke(sheet, leg, paper, 4.0);
-  cairo_set_dash(pen, nullptr, 0, 0.0);
-  for (const auto& way : picture.escapes) stroke(sheet, way, paper, 6.0);
-  constexpr std::array dots{2.0, 3.0};
-  cairo_set_dash(pen, dots.data(), dots.size(), 0.0);
-  for (const auto& way : picture.escapes) stroke(sheet, way, surfacing, 2.5);
   cairo_set_dash(pen, nullptr, 0, 0.0);
   for (const auto& place : picture.closed) square(sheet, place);
   for (const auto& place : picture.surfacings) {

@@ -49,7 +49,7 @@ import { markerLayer } from './marker_layer';
 import { planLayer, vehicleLayer, waypointLayer } from './plan_layer';
 import { reachLayer } from './reach_layer';
 import { seaIceLayer } from './sea_ice_layer';
-import { surfacingLayer } from './surfacing_layer';
+import { escapeLayer, surfacingLayer } from './surfacing_layer';
 import { registerProjections, toMap, viewExtent } from './projections';
 
 /** Whether the map has moved to the data it opens on. */
@@ -85,7 +85,7 @@ export function createMap(target: HTMLElement, probe: (place: Position) => void)
     layers: Object.entries({
       bathymetry: bathymetryLayer(), seaIce: seaIceLayer(), iceChart: iceChartLayer(), currents: currentsLayer(), coast: coastLayer(), graticule: graticuleLayer(), coverage: coverageLayer(),
       reach: reachLayer(), areas: areas.layer, keepOut: keepOutLayer(), drift: driftLayer(), ghosts: ghostLayer(), tracks: trackLayer(),
-      plans: planLayer(), flight: flightLayer(), icebergs: bergs, surfacings: surfacingLayer(), waypoints, trackedGliders: trackedGliderLayer(),
+      plans: planLayer(), flight: flightLayer(), icebergs: bergs, escapes: escapeLayer(), surfacings: surfacingLayer(), waypoints, trackedGliders: trackedGliderLayer(),
       vehicles, flown, edit: route.layer, markers: markerLayer(),
     }).map(([name, layer]) => {
       layer.set('name', name);

@@ -91,11 +91,14 @@ function target(colours: Palette): Style[] {
   return [ring(4.5, colours.casing), ring(2, colours.ink)];
 }
 
-/** A triangle with an exclamation mark; with a ring if the user asked for its message. */
+/** How far a sign stands below its place, so that its tip points at the mark there, such as the one for no surfacing. */
+const below_px = 18;
+
+/** A triangle with an exclamation mark; with a ring around its place if the user asked for its message. */
 function alarm(asked: boolean, colour: string, colours: Palette): Style[] {
   const sign = new Style({
-    image: new RegularShape({ points: 3, radius: 12, fill: new Fill({ color: colour }), stroke: new Stroke({ color: colours.casing, width: 2 }) }),
-    text: new Text({ text: '!', font: '800 12px system-ui, sans-serif', offsetY: 1, fill: new Fill({ color: colours.casing }) }),
+    image: new RegularShape({ points: 3, radius: 12, displacement: [0, -below_px], fill: new Fill({ color: colour }), stroke: new Stroke({ color: colours.casing, width: 2 }) }),
+    text: new Text({ text: '!', font: '800 12px system-ui, sans-serif', offsetY: below_px + 1, fill: new Fill({ color: colours.casing }) }),
   });
   const ring = new Style({ image: new Circle({ radius: 19, stroke: new Stroke({ color: colour, width: 2.5 }) }) });
   return asked ? [ring, sign] : [sign];
