@@ -12,6 +12,8 @@ import { chosenTrack, gliderTracks } from '../model/tracks';
 import { announce, tell } from '../model/screen';
 import { fieldOf, hour_ms } from '../model/time';
 import { time_ms } from '../model/clock';
+import { ask } from '../model/view';
+import { borderOf } from '../geo/boxes';
 import * as api from './client';
 import { withoutDeleted } from './deleting';
 
@@ -46,6 +48,19 @@ function showFirst({ plans = [], selected }: Link): void {
 export function followDataArea(): void {
   effect(() => {
     dataArea.value = chosenCurrents.value || chosenBathymetry.value ? homeBox.value : undefined;
+  });
+}
+
+/** Shows the area of the first data that are added to an empty store. Call once. */
+export function followFirstData(): void {
+  let awaited = false; // the store was empty, and has no currents yet
+  effect(() => {
+    if (datasets.value === undefined) return;
+    if (datasets.value.length === 0) awaited = true;
+    else if (awaited && dataArea.value) {
+      awaited = chosenCurrents.value === undefined;
+      ask({ do: 'fit', places: borderOf(dataArea.value) });
+    }
   });
 }
 

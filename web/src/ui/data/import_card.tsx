@@ -13,7 +13,7 @@ export function ImportCard({ one }: { one: Import }): VNode {
   return (
     <section class="import-card" aria-label={`Import of ${title}`} aria-busy={isLive(one)}>
       <div class="import-head">
-        <h3>{title}</h3>
+        <h2>{title}</h2>
         {isLive(one)
           ? <button type="button" onClick={() => cancelImport(number)}>Cancel</button>
           : <IconButton icon="x" label={`Dismiss the import of ${title}`} onClick={() => dismissImport(number)} />}

@@ -34,7 +34,7 @@ function Texts({ texts, title }: { texts: string[]; title: string }): VNode | nu
   const hidden = all ? 0 : Math.max(0, texts.length - shownAtFirst - 1);
   return (
     <div>
-      <h4>{title} <span class="unit">{texts.length}</span></h4>
+      <h3>{title} <span class="unit">{texts.length}</span></h3>
       <ul class="report-texts">{texts.slice(0, texts.length - hidden).map((text, i) => <li key={i}>{asSentence(inWords(text))}</li>)}</ul>
       {hidden > 0 && <button type="button" class="link" onClick={() => setAll(true)}>Show {hidden} more</button>}
     </div>
