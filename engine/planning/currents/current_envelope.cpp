@@ -74,10 +74,13 @@ CurrentEnvelope::CurrentEnvelope(const PlaneCurrents& currents, core::Metres rea
 std::vector<Box> CurrentEnvelope::boxes_of_nodes() const {
   const std::size_t slice = currents_.x_.size() * currents_.y_.size();
   std::vector<Box> boxes(slice, nothing);
-  for (std::size_t i = 0; i < currents_.nodes_.size(); ++i) {
-    const PlaneCurrents::Node& node = currents_.nodes_[i];
-    if (std::isnan(node.x_m_s)) continue;
-    include(boxes[i % slice], {node.x_m_s, node.x_m_s, node.y_m_s, node.y_m_s});
+  for (std::size_t first = 0; first < currents_.nodes_.size(); first += slice) {
+    const PlaneCurrents::Node* const nodes = currents_.nodes_.data() + first;
+    for (std::size_t i = 0; i < slice; ++i) {
+      const PlaneCurrents::Node& node = nodes[i];
+      if (std::isnan(node.x_m_s)) continue;
+      include(boxes[i], {node.x_m_s, node.x_m_s, node.y_m_s, node.y_m_s});
+    }
   }
   return boxes;
 }

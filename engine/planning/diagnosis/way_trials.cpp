@@ -185,7 +185,8 @@ class GridTrial {
     if (!std::isfinite(last.count()) || !foresight_.is_useful())
       return graph::find_earliest_arrivals(open_.graph, query, travel_time, stop_, straight);
     const graph::SearchTree& until_when = foresight_.until_when_of_use(depart, last, stop_);
-    const Bound bound{TowardsEarliestWay{{foresight_, straight, until_when}, last}};
+    const Bound bound{
+        TowardsEarliestWay{{foresight_, foresight_.at_any_time(stop_).to_goal, until_when}, last}};
     if (bound.latest_use(open_.grid.start) < depart) return graph::SearchTree{open_.graph.size()};
     return graph::find_earliest_arrivals(open_.graph, query, travel_time, stop_, bound);
   }

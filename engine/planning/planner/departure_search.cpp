@@ -20,15 +20,13 @@
 namespace floeplan::planning::planner {
 namespace {
 
-/// Work of a time-reversed search from the goal; unit: the search for one departure.
-constexpr double departures_a_sweep = 2.0;
-
 /// A search area of one size, gridded for all departures.
 struct Ground {
   PlanRequest request;
   search::Chart chart;
-  std::vector<search::OpenGrid> grids;  // empty for a straight route
-  std::vector<Ground> fastest;          // for each propulsion alone, if the objective is not time
+  std::vector<search::OpenGrid> grids;           // empty for a straight route
+  std::vector<search::FavourableBounds> bounds;  // on the grids, if the objective is time
+  std::vector<Ground> fastest;                   // for each propulsion alone, if the objective is not time
 };
 
 /// Errors   as draw_chart
@@ -39,10 +37,14 @@ Result<Ground> lay_out(const ocean::Environment& environment, const PlanRequest&
   if (!request.energy.objective.is_time()) drawn.holds.longest = core::Seconds{0.0};
   auto chart = search::draw_chart(environment, drawn, reach, stop, &shelf);
   if (!chart) return tl::unexpected(chart.error());
-  Ground ground{request, std::move(*chart), {}, {}};
+  Ground ground{request, std::move(*chart), {}, {}, {}};
   if (request.method != Method::direct)
     ground.grids = search::open_grids(ground.chart.sea, ground.chart.layout.grids, request.sectors, stop);
-  if (request.energy.objective.is_time()) return ground;
+  if (request.energy.objective.is_time()) {
+    for (const search::OpenGrid& open : ground.grids)
+      ground.bounds.emplace_back(ground.chart.sea, open, stop);
+    return ground;
+  }
   for (const vehicle::Drive drive : drives(request.energy, request.vehicle)) {
     auto other = lay_out(environment, fastest_request(request, drive), reach, shelf, stop);
     if (!other) return other;
@@ -84,11 +86,11 @@ class DepartureSweep {
   /// `ground` is borrowed and must outlive this.
   explicit DepartureSweep(const Ground& ground) : ground_{ground} {
     const PlanRequest& request = ground.request;
-    const core::Seconds ahead = departures_a_sweep * request.departures.step;
     const core::Seconds window = request.departures.departures(request.depart).back() - request.depart;
-    for (const search::OpenGrid& open : ground.grids) {
+    for (std::size_t i = 0; i < ground.grids.size(); ++i) {
+      const search::OpenGrid& open = ground.grids[i];
       if (request.energy.objective.is_time()) {
-        foresights_.emplace_back(ground.chart.sea, open, ahead);
+        foresights_.emplace_back(ground.chart.sea, open, &ground.bounds[i]);
       } else {
         guides_.emplace_back(ground.chart.sea, open, window);
       }

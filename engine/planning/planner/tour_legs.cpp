@@ -114,7 +114,7 @@ graph::SearchTree TourLegs::earliest_arrivals(Leg& leg, core::Seconds depart,
 }
 
 const search::FavourableBound& TourLegs::bound_of(Leg& leg) const {
-  if (!leg.bound) leg.bound.emplace(sea_, leg.open, stop_);
+  if (!leg.bound) leg.bound.emplace(search::FavourableGrid{sea_, leg.open}, search::RouteEnd::goal, stop_);
   return *leg.bound;
 }
 

@@ -3,6 +3,7 @@
 #include <ranges>
 
 #include "engine/graph/time_dependent_astar.hpp"
+#include "engine/planning/search/bounds/favourable_bound.hpp"
 #include "engine/planning/search/grid/grid_travel.hpp"
 
 namespace floeplan::planning::search {
@@ -11,7 +12,7 @@ std::optional<core::Seconds> latest_departure(const cost::Sea& sea, const OpenGr
                                               core::Seconds arrive, core::Seconds earliest,
                                               const std::stop_token& stop) {
   const GridTravelTimeBack travel_time{sea, open.grid};
-  const StraightBound bound{sea, open.grid, open.graph, open.grid.start};
+  const FavourableBound bound{FavourableGrid{sea, open}, RouteEnd::start, stop};
   const graph::Query query{
       .source = open.grid.goal, .goal = open.grid.start, .depart = -arrive, .latest = -earliest};
   const graph::SearchTree tree = graph::find_earliest_arrivals(open.graph, query, travel_time, stop, bound);

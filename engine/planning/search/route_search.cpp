@@ -43,44 +43,53 @@ void add_work(SearchStatistics& sum, const SearchStatistics& earlier) {
   sum.reinsertions += earlier.reinsertions;
 }
 
-/// The true arrival of a route that is probably close to the best; infinite if no open one is found.
-/// `timed`: how the travel times treat closures that end
-template <class TravelTime>
-core::Seconds likely_arrival(Foresight& foresight, const TravelTime& travel_time, TimedClosures timed,
-                             core::Seconds depart, const std::stop_token& stop) {
-  constexpr std::size_t most_barred =
-      8;  // attempts; each avoids the edge that closed the one before, far quicker than a search
-  constexpr core::Seconds never{INFINITY};
-  constexpr double most_slower = 1.02;  // of the last route now: slower, and a new estimate pays
-  core::Seconds now = depart;
-  const auto first_closed = [&](const std::vector<Edge>& way) {
-    now = depart;
-    return std::ranges::find_if(way, [&](const Edge& edge) {
-      const auto time = travel_time(edge, now, never);
-      if (time) now += *time;
-      return !time;
-    });
-  };
-  const Foresight::KnownWay& last = foresight.last_way(timed);
-  const bool is_open = !last.edges.empty() && first_closed(last.edges) == last.edges.end();
-  if (is_open && now - depart <= most_slower * last.time) return now;
-  Foresight::Minding minding{.timed = timed};
-  while (minding.barred.size() < most_barred) {
-    const std::vector<Edge> way = foresight.likely_way(depart, stop, minding);
-    if (way.empty()) return never;
-    const auto closed = first_closed(way);
-    if (closed == way.end()) return now;
-    minding.barred.push_back(*closed);
-  }
-  return never;
-}
-
 /// The edges of the path that a search found to the goal.
 std::vector<Edge> edges_to(const graph::GridGraph& graph, const graph::SearchTree& tree, Vertex goal) {
   std::vector<Edge> way;
   const std::vector<Vertex> path = graph::path_to(graph, tree, goal);
   for (std::size_t i = 1; i < path.size(); ++i) way.push_back({path[i - 1], path[i], tree.step(path[i])});
   return way;
+}
+
+/// Follows a route with the true travel times. Returns the first edge that is closed then; past the end: none is.
+template <class TravelTime>
+std::vector<Edge>::const_iterator follow(const std::vector<Edge>& way, const TravelTime& travel_time,
+                                         graph::SearchTree& tree) {
+  return std::ranges::find_if(way, [&](const Edge& edge) {
+    const core::Seconds now{tree.arrival_s(edge.tail)};
+    const auto time = travel_time(edge, now, core::Seconds{INFINITY});
+    if (time) tree.reach(edge, (now + *time).count());
+    return !time;
+  });
+}
+
+/// A route that is probably close to the best, with its true times: the goal is not reached if no open one is
+/// found. `timed`: how the travel times treat closures that end
+template <class TravelTime>
+graph::SearchTree likely_route(Foresight& foresight, const OpenGrid& open, const TravelTime& travel_time,
+                               TimedClosures timed, core::Seconds depart, const std::stop_token& stop) {
+  // Attempts: each avoids the leg that closed the one before, and its ends. Far quicker than a search.
+  constexpr std::size_t most_attempts = 8;
+  constexpr double most_slower = 1.02;  // of the last route now: slower, and a new estimate pays
+  graph::SearchTree begun{open.graph.size()};
+  begun.start(open.grid.start, depart.count());
+  const Foresight::KnownWay& last = foresight.last_way(timed);
+  if (!last.edges.empty()) {
+    graph::SearchTree tree = begun;
+    const bool is_open = follow(last.edges, travel_time, tree) == last.edges.end();
+    if (is_open && core::Seconds{tree.arrival_s(open.grid.goal)} - depart <= most_slower * last.time)
+      return tree;
+  }
+  Foresight::Minding minding{.timed = timed};
+  for (std::size_t attempt = 0; attempt < most_attempts; ++attempt) {
+    const std::vector<Edge> way = foresight.likely_way(depart, stop, minding);
+    if (way.empty()) break;
+    graph::SearchTree tree = begun;
+    const auto closed = follow(way, travel_time, tree);
+    if (closed == way.end()) return tree;
+    minding.closed.push_back(*closed);
+  }
+  return begun;
 }
 
 /// The reached vertex nearest to the goal.
@@ -184,14 +193,20 @@ RouteSearch search_unbounded(const cost::Sea& sea, const OpenGrid& open, const P
   const auto search_ahead = [&](const auto& travel_time, TimedClosures timed) -> graph::SearchTree {
     const bool towards_goal = request.method == Method::astar;
     if (foresight.is_useful()) {
+      const FavourableBound& to_goal = foresight.at_any_time(stop).to_goal;
       graph::Query in_time = query;
       if (std::isinf(query.latest.count())) {
-        in_time.latest = likely_arrival(foresight, travel_time, timed, depart, stop);
+        graph::SearchTree likely = likely_route(foresight, open, travel_time, timed, depart, stop);
         refused.edges.clear();
+        in_time.latest = core::Seconds{likely.arrival_s(grid.goal)};
+        const core::Seconds earliest = foresight.open_from(grid.goal, depart + to_goal.remaining(grid.start));
+        if (timed == TimedClosures::waited_for &&
+            in_time.latest.count() <= earliest.count() + rounding_of_times_s)
+          return likely;  // the goal reopens then: nobody arrives earlier
       }
       if (std::isfinite(in_time.latest.count()) && !stop.stop_requested()) {
         const graph::SearchTree& until_when = foresight.until_when_of_use(depart, in_time.latest, stop);
-        const ForesightBound bound{foresight, straight, until_when, towards_goal};
+        const ForesightBound bound{foresight, to_goal, until_when, towards_goal};
         graph::SearchTree tree =
             graph::find_earliest_arrivals(graph, in_time, travel_time, stop, bound, report);
         // If a latest arrival is given, reopenings do not matter.
@@ -223,7 +238,8 @@ RouteSearch search_unbounded(const cost::Sea& sea, const OpenGrid& open, const P
       return tree;
     }
     if (towards_goal) {
-      return graph::find_earliest_arrivals(graph, query, travel_time, stop, straight, report);
+      return graph::find_earliest_arrivals(graph, query, travel_time, stop,
+                                           foresight.at_any_time(stop).to_goal, report);
     }
     return graph::find_earliest_arrivals(graph, query, travel_time, stop, EdgeBound{straight}, report);
   };
@@ -240,7 +256,7 @@ RouteSearch search_unbounded(const cost::Sea& sea, const OpenGrid& open, const P
     throw std::invalid_argument{"the direct way needs no search"};
   };
   const auto adopt = [&](const graph::SearchTree& tree) {
-    result.cancelled = tree.stopped;
+    result.cancelled = tree.stopped || stop.stop_requested();  // the bounds may be incomplete, too
     result.statistics.edge_evaluations += tree.counters.edge_evaluations;
     result.statistics.expansions += tree.counters.expansions;
     result.statistics.reinsertions += tree.counters.reinsertions;

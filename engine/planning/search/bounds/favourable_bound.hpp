@@ -10,25 +10,32 @@
 
 namespace floeplan::planning::search {
 
-/// Lower bounds of travel times on a grid, computed without a time-dependent search: the remaining time to
-/// the goal if every edge takes its shortest possible time. They are worth their cost if many departures are
-/// searched on one grid.
+/// The end of a grid's route to which a bound counts.
+enum class RouteEnd { start, goal };
+
+/// Lower bounds of travel times on a grid, computed without a time-dependent search: the time between a vertex and
+/// one end of the route if every edge takes its shortest possible time. They are worth their cost if many
+/// departures are searched on one grid.
 /// Satisfies  graph::TravelTimeBound, with one difference: `remaining` is consistent with the true times of
 ///            edges, not with the shorter times of `least_time`
 /// Threads    const members may be called from several threads at once
 class FavourableBound {
  public:
-  /// `sea` and `open` are borrowed and must outlive this object. Once `stop` is requested it must not be
-  /// used.
-  FavourableBound(const cost::Sea& sea, const OpenGrid& open, const std::stop_token& stop)
-      : left_s_(open.graph.size(), graph::SearchTree::never) {
-    const FavourableGrid grid{sea, open};  // it is large, so only the results are kept
-    left_s_[open.grid.goal] = 0.0;
-    lower_times(left_s_, graph::SearchTree::never, stop,
-                [&](graph::Vertex v, double time_s, const auto& visit) {
-                  grid.for_each_edge_to(
-                      v, [&](const graph::Edge& edge, double edge_s) { visit(edge.tail, time_s + edge_s); });
-                });
+  /// Only the results are kept. Once `stop` is requested they must not be used.
+  FavourableBound(const FavourableGrid& grid, RouteEnd end, const std::stop_token& stop)
+      : left_s_(grid.open().graph.size(), graph::SearchTree::never) {
+    const OpenGrid& open = grid.open();
+    left_s_[end == RouteEnd::goal ? open.grid.goal : open.grid.start] = 0.0;
+    lower_times(
+        left_s_, graph::SearchTree::never, stop, [&](graph::Vertex v, double time_s, const auto& visit) {
+          if (end == RouteEnd::goal) {
+            grid.for_each_edge_to(
+                v, [&](const graph::Edge& edge, double edge_s) { visit(edge.tail, time_s + edge_s); });
+          } else {
+            grid.for_each_edge_from(
+                v, [&](const graph::Edge& edge, double edge_s) { visit(edge.head, time_s + edge_s); });
+          }
+        });
     for (std::size_t step = 0; step < open.graph.offsets().size(); ++step)
       straight_s_.push_back(
           grid.straight_s({open.grid.start, open.grid.start, static_cast<std::uint8_t>(step)}));
@@ -39,6 +46,7 @@ class FavourableBound {
   [[nodiscard]] core::Seconds least_time(const graph::Edge& edge, core::Seconds) const {
     return core::Seconds{straight_s_[edge.step]};
   }
+  /// Lower bound of the time between a vertex and the end.
   [[nodiscard]] core::Seconds remaining(graph::Vertex v) const { return core::Seconds{left_s_[v]}; }
   [[nodiscard]] static core::Seconds latest_use(graph::Vertex) {
     return core::Seconds{graph::SearchTree::never};
@@ -47,6 +55,20 @@ class FavourableBound {
  private:
   std::vector<double> left_s_;
   std::vector<double> straight_s_;  // by step (direction) of the grid
+};
+
+/// The bounds to both ends of the route.
+struct FavourableBounds {
+  FavourableBound to_goal;
+  FavourableBound from_start;
+
+  /// `sea` and `open` are borrowed during the call. Once `stop` is requested the result must not be used.
+  FavourableBounds(const cost::Sea& sea, const OpenGrid& open, const std::stop_token& stop)
+      : FavourableBounds{FavourableGrid{sea, open}, stop} {}
+
+ private:
+  FavourableBounds(const FavourableGrid& grid, const std::stop_token& stop)
+      : to_goal{grid, RouteEnd::goal, stop}, from_start{grid, RouteEnd::start, stop} {}
 };
 
 }  // namespace floeplan::planning::search

@@ -19,6 +19,9 @@ constexpr double most_share = 0.95;  // also a share: a weaker current leaves ev
 constexpr double tolerances = 5.0;
 /// Closures are taken to be shorter by this at both ends: more than the error of integrated times.
 constexpr core::Seconds border{5.0};
+/// Estimates wait no longer than this for what closes the middle of an edge alone: it is smaller than the edge. A
+/// judgement.
+constexpr core::Seconds longest_wait{2.0 * 3600.0};
 
 std::vector<geo::PlanePoint> edges_of(const OpenGrid& open) {
   std::vector<geo::PlanePoint> edges;
@@ -47,6 +50,22 @@ class FanTravelTime {
   mutable graph::Vertex tail_{Foresight::no_vertex};
 };
 
+/// Bound for a search that ends at `latest`: nobody is of use at a vertex from which one end of the route cannot be
+/// reached by then. The order stays that of arrivals, because the bounds are not consistent with those of the edges.
+struct InTime {
+  const StraightBound& straight;
+  const FavourableBound& to_end;
+  core::Seconds latest;
+
+  [[nodiscard]] core::Seconds least_time(const graph::Edge& edge, core::Seconds) const {
+    return straight.least_time(edge);
+  }
+  [[nodiscard]] static core::Seconds remaining(graph::Vertex) { return core::Seconds{0.0}; }
+  [[nodiscard]] core::Seconds latest_use(graph::Vertex v) const {
+    return latest + core::Seconds{rounding_of_times_s} - to_end.remaining(v);
+  }
+};
+
 /// Bound for the time-reversed search, whose clock shows -t: no vehicle is at a vertex before its earliest
 /// arrival.
 struct NotBefore {
@@ -64,14 +83,14 @@ struct NotBefore {
 
 }  // namespace
 
-Foresight::Foresight(const cost::Sea& sea, const OpenGrid& open, core::Seconds ahead)
+Foresight::Foresight(const cost::Sea& sea, const OpenGrid& open, const FavourableBounds* at_any_time)
     : sea_{sea},
       open_{open},
-      ahead_{ahead},
       straight_{sea, open.grid, open.graph, open.grid.goal},
       fan_{edges_of(open)},
       through_water_{std::max(sea.speed(sea.drives().front()), sea.speed(sea.drives().back()))},
-      closures_{sea.domain().closures(), open.grid} {
+      closures_{sea.domain().closures(), open.grid},
+      at_any_time_{at_any_time} {
   longest_edge_ = core::Metres{static_cast<double>(std::ranges::max(fan_.length_m))};
   longest_drive_ = longest_edge_ / (slowest_share * through_water_);
   if (sea.domain().currents()) nearby_.emplace(*sea.domain().currents(), longest_edge_, longest_drive_);
@@ -130,31 +149,46 @@ core::Seconds Foresight::open_from(graph::Vertex v, core::Seconds time) {
 std::vector<graph::Edge> Foresight::likely_way(core::Seconds depart, const std::stop_token& stop,
                                                const Minding& minding) {
   const cost::RouteGrid& grid = open_.grid;
+  std::vector<graph::Vertex> barred;
+  for (const graph::Edge& edge : minding.closed) {
+    for (const graph::Vertex v : {edge.tail, edge.head})
+      if (v != grid.start && v != grid.goal) barred.push_back(v);
+  }
   const auto is_barred = [&](const graph::Edge& edge) {
-    return std::ranges::any_of(minding.barred, [&](const graph::Edge& barred) {
-      return barred.tail == edge.tail && barred.step == edge.step;
-    });
+    return std::ranges::find(barred, edge.head) != barred.end() ||
+           std::ranges::any_of(minding.closed, [&](const graph::Edge& closed) {
+             return closed.tail == edge.tail && closed.step == edge.step;
+           });
   };
-  const auto is_closed = [&](const graph::Edge& edge, core::Seconds now, core::Seconds time) {
+  // The time of a leg that ends before `latest`, with what the closures on its way add to it.
+  const auto with_closures = [&](const graph::Edge& edge, core::Seconds now, core::Seconds time,
+                                 core::Seconds latest) -> std::optional<core::Seconds> {
     const geo::PlanePoint tail = grid.point(edge.tail);
     const geo::PlanePoint head = grid.point(edge.head);
-    return is_barred(edge) || sea_.domain().closures().closed_between(tail, head) ||
-           (minding.timed == TimedClosures::avoided &&
-            !sea_.domain().closures().first_clear_departure(tail, head, time, now, now));
+    const obstacles::Closures& closures = sea_.domain().closures();
+    if (is_barred(edge) || closures.closed_between(tail, head)) return std::nullopt;
+    if (minding.timed == TimedClosures::ignored) return time;
+    const bool may_wait = minding.timed == TimedClosures::waited_for;
+    if (may_wait) {
+      const core::Seconds open = open_from(edge.head, now + time);
+      if (open > now + time) return open - now;
+    }
+    const core::Seconds last = may_wait ? std::min(latest - time, now + longest_wait) : now;
+    const auto clear = closures.first_clear_departure(tail, head, time, now, last);
+    return clear ? std::optional{*clear + time - now} : std::nullopt;
   };
   bool is_known = false;
   const auto time_fan = [&](const graph::Edge& edge, core::Seconds now, core::Seconds latest,
                             bool is_new) -> std::optional<core::Seconds> {
     if (is_new) is_known = look(edge.tail, now, currents::NearbyCurrents::Film::forwards, Fidelity::estimate);
-    if (!is_known) return std::nullopt;
-    core::Seconds time{static_cast<double>(times_.time_s[edge.step])};
-    if (minding.timed == TimedClosures::waited_for) time = open_from(edge.head, now + time) - now;
-    if (now + time >= latest || is_closed(edge, now, time)) return std::nullopt;
-    return time;
+    const core::Seconds time{static_cast<double>(times_.time_s[edge.step])};
+    if (!is_known || now + time >= latest) return std::nullopt;
+    const auto in_all = with_closures(edge, now, time, latest);
+    return in_all && now + *in_all < latest ? in_all : std::nullopt;
   };
-  const StraightBound straight{sea_, grid, open_.graph, grid.goal};
-  const graph::SearchTree tree = graph::find_earliest_arrivals(
-      open_.graph, graph::Query{grid.start, grid.goal, depart}, FanTravelTime{time_fan}, stop, straight);
+  const graph::SearchTree tree =
+      graph::find_earliest_arrivals(open_.graph, graph::Query{grid.start, grid.goal, depart},
+                                    FanTravelTime{time_fan}, stop, at_any_time(stop).to_goal);
   std::vector<graph::Edge> way;
   const std::vector<graph::Vertex> path = graph::path_to(open_.graph, tree, grid.goal);
   for (std::size_t i = 1; i < path.size(); ++i) way.push_back({path[i - 1], path[i], tree.step(path[i])});
@@ -179,7 +213,7 @@ core::Seconds Foresight::least_time(const graph::Edge& edge, core::Seconds depar
 const graph::SearchTree& Foresight::until_when_of_use(core::Seconds depart, core::Seconds arrive,
                                                       const std::stop_token& stop) {
   if (!found_ || depart < found_->depart || arrive > found_->arrive) {
-    found_.emplace(Found{depart, arrive + ahead_, sweep_back(depart, arrive + ahead_, stop)});
+    found_.emplace(Found{depart, arrive, sweep_back(depart, arrive, stop)});
   }
   return found_->until_when;
 }
@@ -187,7 +221,6 @@ const graph::SearchTree& Foresight::until_when_of_use(core::Seconds depart, core
 graph::SearchTree Foresight::sweep_forth(core::Seconds depart, core::Seconds arrive,
                                          const std::stop_token& stop) {
   const cost::RouteGrid& grid = open_.grid;
-  const StraightBound to_goal{sea_, grid, open_.graph, grid.goal};
   bool is_known = false;
   const auto time_fan = [&](const graph::Edge& edge, core::Seconds now, core::Seconds latest,
                             bool is_new) -> std::optional<core::Seconds> {
@@ -201,13 +234,13 @@ graph::SearchTree Foresight::sweep_forth(core::Seconds depart, core::Seconds arr
     return open - now;
   };
   const graph::Query query{.source = grid.start, .goal = {}, .depart = depart, .latest = arrive};
-  return graph::find_earliest_arrivals(open_.graph, query, FanTravelTime{time_fan}, stop, to_goal);
+  return graph::find_earliest_arrivals(open_.graph, query, FanTravelTime{time_fan}, stop,
+                                       InTime{straight_, at_any_time(stop).to_goal, arrive});
 }
 
 graph::SearchTree Foresight::sweep_back(core::Seconds depart, core::Seconds arrive,
                                         const std::stop_token& stop) {
-  const StraightBound to_start{sea_, open_.grid, open_.graph, open_.grid.start};
-  return sweep_back(depart, arrive, stop, false, to_start);
+  return sweep_back(depart, arrive, stop, false, InTime{straight_, at_any_time(stop).from_start, -depart});
 }
 
 graph::SearchTree Foresight::sweep_back(core::Seconds depart, core::Seconds arrive,

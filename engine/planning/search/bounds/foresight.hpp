@@ -25,10 +25,9 @@ class Foresight {
  public:
   static constexpr graph::Vertex no_vertex = std::numeric_limits<graph::Vertex>::max();
 
-  /// `sea` and `open` are borrowed and must outlive this object. `ahead`: a result for one arrival may be
-  /// used for arrivals that are later by at most this time. The bounds are then less sharp, but are computed
-  /// only once.
-  Foresight(const cost::Sea& sea, const OpenGrid& open, core::Seconds ahead = core::Seconds{0.0});
+  /// `sea` and `open` are borrowed and must outlive this object. So must `at_any_time`, bounds of the same grid that
+  /// were made before; null: none were.
+  Foresight(const cost::Sea& sea, const OpenGrid& open, const FavourableBounds* at_any_time = nullptr);
 
   /// Whether these bounds are sharper than a straight line with the strongest current from astern.
   [[nodiscard]] bool is_useful() const { return !nearby_ || nearby_->is_useful(); }
@@ -42,7 +41,8 @@ class Foresight {
   /// What an estimated route avoids, besides places that are always closed.
   struct Minding {
     TimedClosures timed{TimedClosures::ignored};
-    std::vector<graph::Edge> barred{};  // a few edges that must not be used
+    /// A few legs that must not be used. Nor must their ends, but for start and goal.
+    std::vector<graph::Edge> closed{};
   };
   /// A route from start to goal, edge by edge, that is probably close to the best. It may turn out to be
   /// closed. Empty if none is found, or once `stop` is requested.
@@ -81,8 +81,8 @@ class Foresight {
                                              const std::stop_token& stop, const graph::SearchTree& earliest);
 
   /// Bounds that hold at any time, made at the first call. Once `stop` is requested they must not be used.
-  [[nodiscard]] const FavourableBound& at_any_time(const std::stop_token& stop) {
-    if (!at_any_time_) at_any_time_.emplace(sea_, open_, stop);
+  [[nodiscard]] const FavourableBounds& at_any_time(const std::stop_token& stop) {
+    if (at_any_time_ == nullptr) at_any_time_ = &own_at_any_time_.emplace(sea_, open_, stop);
     return *at_any_time_;
   }
   /// The closed times of the grid's vertices.
@@ -123,7 +123,6 @@ class Foresight {
   };
   const cost::Sea& sea_;
   const OpenGrid& open_;
-  core::Seconds ahead_;
   StraightBound straight_;
   motion::EdgeFan fan_;
   core::Metres longest_edge_{};
@@ -133,7 +132,8 @@ class Foresight {
   std::optional<Found> found_;
   VertexClosures closures_;
   std::array<KnownWay, 3> last_ways_;
-  std::optional<FavourableBound> at_any_time_;
+  std::optional<FavourableBounds> own_at_any_time_;
+  const FavourableBounds* at_any_time_;  // null: not made yet
   motion::FanTimes times_{};
   graph::Vertex tail_{no_vertex};  // tail of the edges that `least_time` timed last
   bool tail_is_known_{false};
@@ -142,7 +142,7 @@ class Foresight {
 /// Bounds of edges and of the remaining time, for a search that visits useful vertices only.
 struct ForesightBound {
   Foresight& foresight;
-  const StraightBound& straight;
+  const FavourableBound& to_goal;
   const graph::SearchTree& until_when;  // result of `until_when_of_use`
   bool towards_goal{true};              // false: Dijkstra's order
 
@@ -150,7 +150,7 @@ struct ForesightBound {
     return foresight.least_time(edge, depart);
   }
   [[nodiscard]] core::Seconds remaining(graph::Vertex v) const {
-    return towards_goal ? straight.remaining(v) : core::Seconds{0.0};
+    return towards_goal ? to_goal.remaining(v) : core::Seconds{0.0};
   }
   [[nodiscard]] core::Seconds latest_use(graph::Vertex v) const {
     return core::Seconds{rounding_of_times_s - until_when.arrival_s(v)};

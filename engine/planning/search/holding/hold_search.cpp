@@ -59,7 +59,7 @@ class HeldWaySearch {
     held_.none_before = least;
     const bool hopeless = least + core::Seconds{limits_.slack_s} >= within_.until;
     if (hopeless || stop_.stop_requested()) return ended();
-    const FavourableBound& favourable = foresight_.at_any_time(stop_);
+    const FavourableBound& favourable = foresight_.at_any_time(stop_).to_goal;
     core::Seconds more = looked_for_first * (least - within_.from);
     for (core::Seconds arrive = within_.from; arrive < within_.until && !is_over(); more *= then_further) {
       arrive = std::min(least + more, within_.until);

@@ -61,6 +61,33 @@ TEST(Foresight, SaysOfNoVertexThatItIsOfNoUseFromWhichTheGoalIsReachedInTime) {
   });
 }
 
+TEST(FavourableBounds, NeverExceedTheTimesOfAVehicle) {
+  double nearest = 0.0;
+  support::for_each_seed(4, [&](std::mt19937_64& rng) {
+    const Waters waters{random_environment(rng)};
+    const FavourableBounds bounds{waters.sea, waters.open, {}};
+    const core::Seconds depart{support::uniform(rng, 0.0, 40'000.0)};
+    const GridTravelTime exact{waters.sea, waters.grid};
+    const auto arrivals_from = [&](Vertex start) {
+      return graph::find_earliest_arrivals(waters.open.graph, graph::Query{start, {}, depart}, exact, {});
+    };
+    const SearchTree from_start = arrivals_from(waters.grid.start);
+    for (Vertex v = 0; v < waters.open.graph.size(); ++v) {
+      if (!from_start.is_reached(v)) continue;
+      EXPECT_LE(bounds.from_start.remaining(v).count(), from_start.arrival_s(v) - depart.count());
+    }
+    for (int i = 0; i < 4; ++i) {
+      const Vertex v = random_vertex(rng, waters.open);
+      const double time_s = arrivals_from(v).arrival_s(waters.grid.goal) - depart.count();
+      EXPECT_LE(bounds.to_goal.remaining(v).count(), time_s);
+      if (v != waters.grid.goal) nearest = std::max(nearest, bounds.to_goal.remaining(v).count() / time_s);
+    }
+    EXPECT_NEAR(bounds.to_goal.remaining(waters.grid.start).count(),
+                bounds.from_start.remaining(waters.grid.goal).count(), 1e-6);
+  });
+  EXPECT_GT(nearest, 0.7) << "it is of use";
+}
+
 TEST(SearchRoute, FindsWithForesightWhatTheLabelCorrectingSearchFinds) {
   std::int64_t expanded = 0;
   std::int64_t expanded_by_all = 0;
