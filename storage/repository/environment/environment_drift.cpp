@@ -20,11 +20,12 @@ core::Metres deepest_keel(const EnvironmentDraft& draft) {
   return deepest;
 }
 
-/// Number of levels down to the first at or below `deepest`.
-std::size_t levels_to(const FieldShape& shape, core::Metres deepest) {
+/// Number of levels down to the first at or below `deepest`; all if it is empty.
+std::size_t levels_to(const FieldShape& shape, std::optional<core::Metres> deepest) {
   if (!shape.depths_m) return 1;
+  if (!deepest) return shape.depths_m->size();
   const auto above = static_cast<std::size_t>(std::ranges::count_if(
-      shape.depths_m->nodes(), [&](double depth_m) { return depth_m < deepest.value; }));
+      shape.depths_m->nodes(), [&](double depth_m) { return depth_m < deepest->value; }));
   return std::min(above + 1, shape.depths_m->size());
 }
 
@@ -34,28 +35,33 @@ std::optional<CurrentsBox> drift_box(const EnvironmentDraft& draft, const Datase
                                      std::size_t most_samples) {
   const EnvironmentQuery& query = draft.query;
   if (!query.iceberg_drift || draft.environment.icebergs.empty()) return std::nullopt;
-  const FieldRepository fields{draft.db};
-  const auto shape = fields.shape(dataset.id);
-  if (!shape) return std::nullopt;
+  if (!FieldRepository{draft.db}.shape(dataset.id)) return std::nullopt;
   const core::Metres deepest = deepest_keel(draft);
-  const std::size_t samples_a_node = levels_to(*shape, deepest) * steps;
   for (const double share : {1.0, 0.5, 0.25, 0.125}) {
-    const geo::BoundingBox area = geo::grown(query.area, core::Metres{share * reach_of_drift.value});
-    if (fields.most_nodes(dataset.id, area) * samples_a_node <= most_samples)
-      return CurrentsBox{area, deepest};
+    const CurrentsBox box{geo::grown(query.area, core::Metres{share * reach_of_drift.value}), deepest};
+    if (most_samples_a_step(draft, dataset, box) * steps <= most_samples) return box;
   }
   return CurrentsBox{query.area, deepest};
 }
 
-bool area_holds(const EnvironmentDraft& draft, const Dataset& dataset, const CurrentsBox& box,
-                const ocean::CurrentGrid::Samples& of_area) {
+std::size_t most_samples_a_step(const EnvironmentDraft& draft, const Dataset& dataset,
+                                const CurrentsBox& box) {
   const FieldRepository fields{draft.db};
   const auto shape = fields.shape(dataset.id);
-  if (!shape || !box.deepest || of_area.depths_m.has_value() != shape->depths_m.has_value()) return false;
-  const std::size_t levels = of_area.depths_m ? of_area.depths_m->size() : 1;
-  // The box encloses the area, so equal counts of nodes mean the same nodes.
-  return levels >= levels_to(*shape, *box.deepest) &&
-         fields.most_nodes(dataset.id, box.area) == fields.most_nodes(dataset.id, draft.query.area);
+  return shape ? fields.most_nodes(dataset.id, box.area) * levels_to(*shape, box.deepest) : 0;
+}
+
+std::optional<CurrentsBox> box_of_both(const EnvironmentDraft& draft, const Dataset& dataset,
+                                       const CurrentsBox& of_area, const CurrentsBox& of_drift) {
+  constexpr double much_more = 1.5;  // times the samples of the area: a judgement
+  // A tide is known in the area alone, and is told to be missing elsewhere.
+  if (draft.query.tides.wanted()) return std::nullopt;
+  CurrentsBox both{of_drift.area, std::nullopt};
+  if (of_area.deepest && of_drift.deepest) both.deepest = std::max(*of_area.deepest, *of_drift.deepest);
+  const auto samples = [&](const CurrentsBox& box) {
+    return static_cast<double>(most_samples_a_step(draft, dataset, box));
+  };
+  return samples(both) <= much_more * samples(of_area) ? std::optional{both} : std::nullopt;
 }
 
 void tell_of_unknown_drift(EnvironmentDraft& draft) {

@@ -23,9 +23,13 @@ inline constexpr core::Metres reach_of_drift{100'000.0};
 /// `steps`  number of time steps that are read
 [[nodiscard]] std::optional<CurrentsBox> drift_box(const EnvironmentDraft& draft, const Dataset& dataset,
                                                    std::size_t steps, std::size_t most_samples);
-/// Whether the samples read for the query's area hold every node and level of `box`, which encloses the area.
-[[nodiscard]] bool area_holds(const EnvironmentDraft& draft, const Dataset& dataset, const CurrentsBox& box,
-                              const ocean::CurrentGrid::Samples& of_area);
+/// An upper estimate of the samples of a box, per time step: nodes times levels.
+[[nodiscard]] std::size_t most_samples_a_step(const EnvironmentDraft& draft, const Dataset& dataset,
+                                              const CurrentsBox& box);
+/// The box that holds the currents of the area and those that carry icebergs; `of_drift` encloses the area. Empty: it
+/// would need much more than `of_area`, so each is better read on its own.
+[[nodiscard]] std::optional<CurrentsBox> box_of_both(const EnvironmentDraft& draft, const Dataset& dataset,
+                                                     const CurrentsBox& of_area, const CurrentsBox& of_drift);
 
 /// Adds messages: how many icebergs were seen before their currents begin, and which icebergs have no known
 /// current for all of the time from the begin of the currents, or from their sighting, to the departure.

@@ -25,26 +25,33 @@ std::shared_ptr<const ocean::CurrentGrid> as_they_count(const ocean::Environment
   return std::make_shared<const ocean::CurrentGrid>(currents->time_mean());
 }
 
-/// The currents that carry icebergs; null: no iceberg drifts. They are those of the area if these hold all that
-/// is needed. Otherwise they are read: at most as many samples as the area's currents or 32 million, two
-/// floats each (256 MB), divided among the members of an ensemble.
-template <class Read>
-std::shared_ptr<const ocean::CurrentGrid> read_drift(const EnvironmentDraft& draft, const Dataset& dataset,
-                                                     const std::shared_ptr<const ocean::CurrentGrid>& of_area,
-                                                     std::size_t members, const Read& read) {
-  constexpr std::size_t most_samples = 32'000'000;
-  const auto& samples = of_area->samples();
-  const std::size_t most = std::max(most_samples / members, samples.u.size());
-  const auto box = drift_box(draft, dataset, samples.times_s.size(), most);
-  if (!box) return nullptr;
-  return area_holds(draft, dataset, *box, samples) ? of_area : read(*box);
+/// Upper limit of the time steps that are read of a dataset, or of its runs that are joined.
+std::size_t most_steps(const EnvironmentDraft& draft, const Dataset& dataset,
+                       const std::vector<JoinedPart>& parts) {
+  const auto steps_of = [&](const Dataset& one) -> std::size_t {
+    const auto shape = FieldRepository{draft.db}.shape(one.id);
+    return shape && shape->times_s ? shape->times_s->size() : 1;
+  };
+  if (parts.empty()) return steps_of(dataset);
+  std::size_t steps = 0;
+  for (const JoinedPart& part : parts) steps += steps_of(part.dataset);
+  return steps;
 }
 
-/// Reads the currents of the area and those that carry icebergs; `read` is a function of a CurrentsBox.
+/// Reads the currents of the area and those that carry icebergs, at once if that needs few more samples. `read` is a
+/// function of a CurrentsBox; `steps`: the most that it reads. Those that carry icebergs have at most as many samples as
+/// the area's or 32 million, two floats each (256 MB), divided among the members of an ensemble.
 /// Returns false if there are none.
 template <class Read>
-bool adopt_currents(EnvironmentDraft& draft, const Dataset& dataset, std::size_t members, const Read& read) {
-  auto currents = read(CurrentsBox{draft.query.area, draft.query.dive_depth});
+bool adopt_currents(EnvironmentDraft& draft, const Dataset& dataset, std::size_t members,
+                    std::size_t steps_at_most, const Read& read) {
+  constexpr std::size_t most_samples = 32'000'000;
+  const CurrentsBox of_area{draft.query.area, draft.query.dive_depth};
+  const auto of_drift = drift_box(
+      draft, dataset, steps_at_most,
+      std::max(most_samples / members, steps_at_most * most_samples_a_step(draft, dataset, of_area)));
+  const auto of_both = of_drift ? box_of_both(draft, dataset, of_area, *of_drift) : std::nullopt;
+  auto currents = read(of_both.value_or(of_area));
   if (!currents) return false;
   const std::string name = title(dataset);
   const auto& samples = currents->samples();
@@ -75,9 +82,11 @@ bool adopt_currents(EnvironmentDraft& draft, const Dataset& dataset, std::size_t
   }
 
   draft.environment.steady_currents = draft.query.steady || !covered;
-  draft.environment.drift_currents =
-      as_they_count(draft.environment, read_drift(draft, dataset, currents, members, read));
   draft.environment.currents = as_they_count(draft.environment, std::move(currents));
+  if (of_drift) {
+    draft.environment.drift_currents =
+        of_both ? draft.environment.currents : as_they_count(draft.environment, read(*of_drift));
+  }
   return true;
 }
 
@@ -146,7 +155,7 @@ void add_ensemble(EnvironmentDraft& draft, const std::vector<Dataset>& found) {
       period->from = drift_start(draft);
     }
     const auto read = [&](const CurrentsBox& box) { return read_currents(draft, dataset, box, period); };
-    if (!adopt_currents(draft, dataset, found.size(), read)) {
+    if (!adopt_currents(draft, dataset, found.size(), most_steps(draft, dataset, {}), read)) {
       refuse_currents_elsewhere(draft, dataset);
       continue;
     }
@@ -208,7 +217,7 @@ void add_currents(EnvironmentDraft& draft) {
       return parts.empty() ? read_currents(draft, dataset, box, std::nullopt)
                            : read_joined(draft, parts, box, drift_start(draft));
     };
-    if (!adopt_currents(draft, dataset, 1, read)) continue;
+    if (!adopt_currents(draft, dataset, 1, most_steps(draft, dataset, parts), read)) continue;
     if (period) draft.environment.currents_begin = period->from;
     return parts.empty() ? draft.cite(dataset) : cite_joined(draft, parts);
   }

@@ -69,18 +69,26 @@ TEST_F(DriftBox, IsNeededWhereIcebergsDriftAlone) {
   EXPECT_FALSE(drift_box(draft_, flow_, steps, without_bound));
 }
 
-TEST_F(DriftBox, IsReadWithTheAreaIfThatHasAllNodesAndLevels) {
-  const auto box = drift_box(draft_, flow_, steps, without_bound);
-  const auto holds = [&](const geo::BoundingBox& area, std::optional<core::Metres> deepest) {
-    query_.area = area;
-    const auto read = FieldRepository{db_}.load_currents(flow_.id, area, std::nullopt, deepest);
-    return area_holds(draft_, flow_, *box, read->samples());
+TEST_F(DriftBox, IsReadWithTheAreaIfThatNeedsFewMoreSamples) {
+  const CurrentsBox of_drift = *drift_box(draft_, flow_, steps, without_bound);
+  const auto both_with = [&](const geo::BoundingBox& area, std::optional<core::Metres> deepest) {
+    return box_of_both(draft_, flow_, {area, deepest}, of_drift);
   };
 
-  EXPECT_FALSE(holds(query_.area, std::nullopt));
-  EXPECT_TRUE(holds(box->area, std::nullopt));
-  EXPECT_TRUE(holds(box->area, box->deepest));
-  EXPECT_FALSE(holds(box->area, core::Metres{0.0}));
+  EXPECT_FALSE(both_with(query_.area, std::nullopt));
+  const auto both = both_with(of_drift.area, core::Metres{150.0});
+  ASSERT_TRUE(both);
+  EXPECT_EQ(both->area, of_drift.area);
+  EXPECT_EQ(both->deepest, core::Metres{150.0}) << "deeper than the keels";
+  EXPECT_EQ(both_with(of_drift.area, core::Metres{50.0})->deepest, of_drift.deepest);
+  EXPECT_EQ(both_with(of_drift.area, std::nullopt)->deepest, std::nullopt);
+  EXPECT_FALSE(both_with(of_drift.area, core::Metres{0.0})) << "most levels are for the keels alone";
+}
+
+TEST_F(DriftBox, IsReadAloneWhereATideIsLaidOnTheArea) {
+  const CurrentsBox of_drift = *drift_box(draft_, flow_, steps, without_bound);
+  query_.tides = TidesQuery{.choice = {.how = DatasetChoice::How::newest, .ids = {}}, .mode = TidesMode::add};
+  EXPECT_FALSE(box_of_both(draft_, flow_, of_drift, of_drift));
 }
 
 /// Law: it keeps to the bound as long as it is larger than the area, and never leaves out a part of the area or a keel.
