@@ -40,8 +40,9 @@ const std::vector<Field>& way_fields() {
        .form = {"Via points"}},
       {.name = "goals_file",
        .flag = "goals",
-       .help = "File with the places to visit, instead of via and to; without from, its first place is the "
-               "start"},
+       .help = "File with the places to visit, instead of a goal and via points; without a start, its first "
+               "place is "
+               "the start"},
       route_name(),
   };
   return list;
@@ -51,14 +52,13 @@ const Table<PlanRequest>& order_fields() {
   static const Table<PlanRequest> table = in_group<PlanRequest>(
       group::places,
       {
-          worded<PlanRequest>(
-              {.name = "via_order",
-               .flag = "best-order",
-               .flag_sets = "best",
-               .help =
-                   "Visit the via points in the given order, or in the order that reaches the goal earliest"},
-              std::vector<Choice<bool>>{{{"given"}, false}, {{"best"}, true}},
-              [](auto& request) -> auto& { return request.via_in_best_order; }),
+          worded<PlanRequest>({.name = "via_order",
+                               .flag = "best-order",
+                               .flag_sets = "best",
+                               .help = "Visit the via points in the given order (given), or in the order "
+                                       "that reaches the goal earliest (best)"},
+                              std::vector<Choice<bool>>{{{"given"}, false}, {{"best"}, true}},
+                              [](auto& request) -> auto& { return request.via_in_best_order; }),
       });
   return table;
 }
@@ -93,7 +93,7 @@ const std::vector<Field>& given_route_fields() {
       {.name = "from",
        .kind = Kind::place,
        .flag = "from",
-       .help = "Start of a route from a file, [longitude, latitude] in degrees"},
+       .help = "Start of a route from a file, longitude and latitude in degrees"},
   };
   return list;
 }

@@ -25,8 +25,9 @@ constexpr double seek_beds_every_s = 10.0;
 constexpr double cover_width_m = 200.0;  // larger than any berg, which is always gone round
 constexpr int looks_needed = 20;         // pings
 constexpr double least_slope = 0.35;     // of a glider's path: 20 degrees
-constexpr double turning_way_m = 15.0;   // from the order to climb to the climb: half a minute of pumping
-constexpr double rise_over_m = 15.0;     // distance over which the bed's rise is measured
+constexpr double turning_way_m =
+    15.0;  // flown between the order to climb and the climb, in half a minute of pumping
+constexpr double rise_over_m = 15.0;  // distance over which the bed's rise is measured
 constexpr double rise_within_s = 300.0;
 /// Pitch in a dive at which the altimeter looks straight down. In a climb it looks ahead, and the near edge
 /// of its beam makes the bed seem an eighth shallower.

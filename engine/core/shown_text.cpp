@@ -164,4 +164,8 @@ std::string distance_text(Metres distance) {
   return text.data();
 }
 
+std::string counted(std::size_t count, std::string_view thing) {
+  return std::to_string(count) + ' ' + std::string{thing} + (count == 1 ? "" : "s");
+}
+
 }  // namespace floeplan::core

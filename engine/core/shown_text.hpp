@@ -28,4 +28,7 @@ namespace floeplan::core {
 /// A distance for people: "812 m" below a kilometre, "3.2 km", "142 km" from 100 km on.
 [[nodiscard]] std::string distance_text(Metres distance);
 
+/// A number of things for people: "1 waypoint", "3 waypoints". `thing`: the noun in the singular; its plural ends in s.
+[[nodiscard]] std::string counted(std::size_t count, std::string_view thing);
+
 }  // namespace floeplan::core

@@ -140,8 +140,8 @@ inline constexpr auto ingest_velocity_kinds = std::to_array<Kind>({
      .rank = Rank::caution,
      .text =
          "the title of the file (\"{title}\") names {what}, but the attributes of {variables} do not. They "
-         "were stored as the {stored}. If the title is right, they are {what}, and a plan with them is "
-         "wrong",
+         "were stored as the {stored}. If the title is right, every plan takes {what} for the "
+         "{stored}",
      .hint = "Ask the producer what they are before you plan",
      .slots = {{{"title", "Monthly standard deviation"},
                 {"what", "a standard deviation"},

@@ -4,10 +4,12 @@
 #include <fstream>
 #include <iostream>
 #include <memory>
+#include <utility>
 
 #include "api/codec/documents/mission_document.hpp"
 #include "api/fields/process_fields.hpp"
 #include "api/service/flight_check_service.hpp"
+#include "engine/core/shown_text.hpp"
 #include "engine/mission/document/file_text.hpp"
 #include "engine/mission/reading/read_document.hpp"
 #include "server/cli/output/plan_output.hpp"
@@ -89,9 +91,10 @@ void print_document(const mission::Document& document, const std::string& file) 
   if (document.kind == mission::DocumentKind::arguments && !document.behaviors.empty())
     std::printf(", %s", document.behaviors.front().name.c_str());
   if (document.kind == mission::DocumentKind::mission && !document.behaviors.empty())
-    std::printf(", mission of %zu behaviors", document.behaviors.size());
-  if (!document.bands.empty()) std::printf(", %zu depth bands", document.bands.size());
-  if (!document.waypoints.empty()) std::printf(", %zu waypoints", document.waypoints.size());
+    std::printf(", mission of %s", core::counted(document.behaviors.size(), "behavior").c_str());
+  for (const auto& [count, thing] :
+       {std::pair{document.bands.size(), "depth band"}, std::pair{document.waypoints.size(), "waypoint"}})
+    if (count > 0) std::printf(", %s", core::counted(count, thing).c_str());
   std::printf("\n");
   for (const auto& message : document.messages) {
     const std::string line = message.line > 0 ? "line " + std::to_string(message.line) + ": " : "";

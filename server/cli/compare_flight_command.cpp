@@ -7,6 +7,7 @@
 
 #include "api/codec/documents/flight_comparison.hpp"
 #include "api/service/comparison_service.hpp"
+#include "engine/core/shown_text.hpp"
 #include "engine/core/utc_text.hpp"
 #include "server/cli/program/command.hpp"
 #include "storage/json/json.hpp"
@@ -67,9 +68,9 @@ void print_dives(const std::vector<codec::ComparedDive>& dives) {
     if (!dive.logged.positions_read.empty()) std::printf("  %s\n", dive.logged.positions_read.c_str());
   }
   const simulation::ComparisonSummary summary = codec::summary_of(dives);
-  std::printf("median of %zu dives: time %.1f %%, dives %.1f %%, speed %.1f %%, position %.1f %%: %s\n",
-              dives.size(), 100.0 * summary.under_water_share, 100.0 * summary.dives_share,
-              100.0 * summary.speed_share, 100.0 * summary.apart_share,
+  std::printf("median of %s: time %.1f %%, dives %.1f %%, speed %.1f %%, position %.1f %%: %s\n",
+              core::counted(dives.size(), "dive").c_str(), 100.0 * summary.under_water_share,
+              100.0 * summary.dives_share, 100.0 * summary.speed_share, 100.0 * summary.apart_share,
               summary.within_a_tenth() ? "within a tenth" : "not within a tenth");
 }
 

@@ -112,7 +112,7 @@ void add_datasets(CLI::App& app, Program& program) {
                       "Data that ended (or were ingested, if later) longer ago than this, for example P30D");
   pruning
       ->add_option("--max-size", flags->max_bytes,
-                   "The oldest data, until the samples of the rest take no more, as 20GB")
+                   "The oldest data, until the samples of the rest take no more; for example 20GB")
       ->transform(CLI::AsSizeValue(true));
   pruning->add_option("--kind", flags->kind, "Data of this kind only")
       ->check(CLI::IsMember({"all", "currents", "wind", "ice", "water-levels", "icebergs", "glider-tracks"}))

@@ -191,7 +191,8 @@ void add_export(CLI::App& app, Program& program) {
       ->capture_default_str();
   command
       ->add_option("--safe", flags->safe,
-                   "Safe place in open water for a recovery from under ice, LON,LAT; may be repeated; writes "
+                   "Safe place in open water for a recovery from under ice, LON,LAT, for example "
+                   "--safe=-53.20,69.20; may be repeated; writes "
                    "the full set with its "
                    "ice settings, which a plan below ice or icebergs needs")
       ->allow_extra_args(false);
@@ -199,7 +200,7 @@ void add_export(CLI::App& app, Program& program) {
       ->add_option(
           "--science", flags->science,
           "Band of a Seaglider's science file, DEPTH:SECONDS:SENSORS:GC, from the surface down; may be "
-          "repeated")
+          "repeated; for example 200:10:1110:120")
       ->allow_extra_args(false);
   command->add_option(
       "--iceberg-depth", flags->iceberg_depth_m,

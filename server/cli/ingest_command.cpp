@@ -118,10 +118,13 @@ void add_ingest(CLI::App& app, Program& program) {
   command->add_option(
       "--missing", flags->missing,
       "Number that marks missing values, if a NetCDF file does not declare it, for example -99.99");
-  command->add_option("--time", flags->time,
-                      "Valid time of sea ice, or start of a run of ADCIRC, if the file does not state it");
+  command->add_option(
+      "--time", flags->time,
+      "Valid time of sea ice, or start of a run of ADCIRC, if the file does not state it; for "
+      "example 2026-11-20T12:00:00Z");
   command->add_option("--at", flags->at,
-                      "Position of a tide station, LON,LAT, if the file does not state it");
+                      "Position of a tide station, LON,LAT, if the file does not state it; for example "
+                      "--at=-53.20,69.20");
   command
       ->add_option(
           "--unit", flags->unit,

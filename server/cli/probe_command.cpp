@@ -114,9 +114,12 @@ void add_probe(CLI::App& app, Program& program) {
   auto* command = app.add_subcommand(
       "probe",
       "Show depth, current, tide, water level, wind, sea ice, icebergs and zones at a place and a time");
-  command->add_option("--at", flags->at, "LON,LAT in degrees")->required();
-  command->add_option("--time", flags->time, "ISO 8601 with zone; default: now");
-  command->add_option("--depth", flags->depth_m, "Metres below the surface, for the current");
+  command->add_option("--at", flags->at, "Longitude and latitude in degrees; for example --at=-53.20,69.20")
+      ->required();
+  command->add_option("--time", flags->time,
+                      "Time, ISO 8601 with its zone, for example 2026-11-20T06:00:00Z; default: now");
+  command->add_option("--depth", flags->depth_m,
+                      "Depth of the current, metres below the surface; for example 50");
   command
       ->add_option("--dataset", flags->datasets,
                    "Dataset to ask of its kind, may be repeated; default: the newest that covers it")

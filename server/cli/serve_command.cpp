@@ -14,7 +14,7 @@ void add_time_limit(CLI::App& command, const std::string& job_class, core::Secon
       .add_option_function<double>(
           "--max-" + job_class + "-s", [&limit](double seconds) { limit = core::Seconds{seconds}; },
           "Longest that " + job_class + " jobs may run, seconds")
-      ->check(CLI::Range(0.001, a_year_s))
+      ->check(CLI::Range(0.001, a_year_s, "FLOAT in [0.001 - 32000000]"))
       ->default_str(std::to_string(static_cast<long>(limit.count())));
 }
 
@@ -48,9 +48,10 @@ void add_serve(CLI::App& app, Program& program) {
   auto* command = app.add_subcommand("serve", "Serve the map, the HTTP API and the guide");
   command->add_option("--listen", options->listen, "ADDR:PORT; port 0: any free port")->capture_default_str();
   command->add_option("--web", options->web, "Folder of the built map client");
-  command->add_option("--watch", options->watch,
-                      "Folder to watch: complete files are ingested, then moved to done/ or "
-                      "refused/ in it with their reports");
+  command->add_option(
+      "--watch", options->watch,
+      "Folder to watch, for example inbox/: complete files are ingested, then moved to done/ or "
+      "refused/ in it with their reports");
   command->add_option("--max-upload-mb", options->max_upload_mb, "Largest file that may be sent, megabytes")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000}))
       ->capture_default_str();
@@ -70,7 +71,8 @@ void add_serve(CLI::App& app, Program& program) {
   add_work(*command, *options);
   command->add_option(
       "--public-url", options->public_url,
-      "Address that links in answers begin with, where clients know the server by another than --listen");
+      "Address that links in answers begin with, if clients know the server by another than --listen; for "
+      "example https://plan.example.org");
   auto* cert = command->add_option("--tls-cert", options->tls_cert,
                                    "Certificate with its chain, PEM; the server then speaks only HTTPS");
   auto* key = command->add_option("--tls-key", options->tls_key, "Key of the certificate, PEM");
@@ -90,7 +92,8 @@ void add_worker(CLI::App& app, Program& program) {
   auto options = std::make_shared<ServeOptions>();
   options->only_works = true;
   options->listen = "127.0.0.1:0";
-  auto* command = app.add_subcommand("worker", "Run jobs from the queue of a store that several machines share");
+  auto* command =
+      app.add_subcommand("worker", "Run jobs from the queue of a store that several machines share");
   command
       ->add_option("--listen", options->listen,
                    "ADDR:PORT of health, readiness and metrics; port 0: any free port")

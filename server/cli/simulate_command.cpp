@@ -14,6 +14,8 @@
 #include "api/service/scenario_service.hpp"
 #include "api/service/simulation_service.hpp"
 #include "api/service/threads.hpp"
+#include "engine/core/shown_text.hpp"
+#include "engine/core/utc_text.hpp"
 #include "server/cli/output/file_set.hpp"
 #include "server/cli/output/plan_output.hpp"
 #include "server/cli/output/violation_output.hpp"
@@ -147,14 +149,16 @@ void print_not_there(const json& flights) {
 }
 
 void print_simulate_table(const json& document) {
-  std::printf("simulation %s of plan %s: %d runs, seed %s, obstacle avoidance %s\n",
+  std::printf("simulation %s of plan %s: %s, seed %s, obstacle avoidance %s\n",
               document.at("simulation_id").get<std::string>().c_str(),
-              document.at("plan_id").get<std::string>().c_str(), document.at("runs").get<int>(),
+              document.at("plan_id").get<std::string>().c_str(),
+              core::counted(document.at("runs").get<std::size_t>(), "run").c_str(),
               document.at("seed").get<std::string>().c_str(),
               document.at("avoidance").get<bool>() ? "on" : "off");
   print_statistics(document);
   print_not_there(document.at("flights"));
-  std::printf("planned travel time %.2f h\n", document.at("planned_travel_time_s").get<double>() / 3600.0);
+  std::printf("planned travel time %s\n",
+              core::hours_minutes(core::Seconds{document.at("planned_travel_time_s").get<double>()}).c_str());
   print_messages(document);
 }
 
@@ -219,7 +223,8 @@ int run_scenario(const SimulateFlags& flags) {
     std::cout << document.dump(2) << '\n';
     return done;
   }
-  std::printf("%s: %d runs, seed %s, obstacle avoidance %s\n", flags.scenario.c_str(), asked.runs,
+  std::printf("%s: %s, seed %s, obstacle avoidance %s\n", flags.scenario.c_str(),
+              core::counted(static_cast<std::size_t>(asked.runs), "run").c_str(),
               document.at("seed").get<std::string>().c_str(), asked.avoidance ? "on" : "off");
   print_statistics(document);
   print_listed("lost even with full knowledge", document.at("runs_beyond_help"));

@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "engine/core/shown_text.hpp"
 #include "engine/core/version.hpp"
 #include "engine/messages/ingest_file_messages.hpp"
 #include "engine/messages/sentence.hpp"
@@ -36,7 +37,7 @@ std::string names_of(const FileGroup& files, const IngestOptions& options) {
     if (is_sidecar_of(file, files.front()) || ++count > most_names) continue;
     names += (names.empty() ? "" : " + ") + file.filename().string();
   }
-  if (count > most_names) names += " + " + std::to_string(count - most_names) + " files more";
+  if (count > most_names) names += " + " + core::counted(count - most_names, "file") + " more";
   return options.archive ? *options.archive + ": " + names : names;
 }
 

@@ -38,10 +38,11 @@ std::string hold_comment(const HoldTimes& times) {
 }
 
 std::string hold_text(const HoldOrder& hold) {
-  const std::string legs =
-      hold.legs < 0 ? std::string{"without end"} : "with " + std::to_string(hold.legs) + " legs";
-  std::string text = "the list holds station " + legs + " between two rows " +
-                     core::distance_text(hold.apart) + " apart";
+  const std::string legs = hold.legs < 0
+                               ? std::string{"without end"}
+                               : "with " + core::counted(static_cast<std::size_t>(hold.legs), "leg");
+  std::string text =
+      "the list holds station " + legs + " between two rows " + core::distance_text(hold.apart) + " apart";
   if (hold.planned)
     text += ", planned from " + core::iso8601(hold.planned->from) + " until " +
             core::iso8601(hold.planned->until);

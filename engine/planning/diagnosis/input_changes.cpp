@@ -113,7 +113,8 @@ void InputChanges::stay_longer_under_ice() {
   });
   if (!needed) return;
   add("under_ice/max_time_without_surfacing_s", now, *needed, *needed / now,
-      written("allow %.2f h without a place to surface instead of %.2f h", *needed / 3600.0, now / 3600.0));
+      "allow " + core::hours_minutes(core::Seconds{*needed}) + " without a place to surface instead of " +
+          core::hours_minutes(core::Seconds{now}));
 }
 
 void InputChanges::keep_less_from_ice() {

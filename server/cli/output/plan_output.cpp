@@ -44,8 +44,8 @@ void print_table(const json& plan) {
     std::printf(
         "%-4s %s    %s   %-20s %9s %8s %8s %7s %8s  %s\n", label(waypoint.at("index")).c_str(),
         geo::latitude_text(waypoint.at("lat")).c_str(), geo::longitude_text(waypoint.at("lon")).c_str(),
-        waypoint.at("eta").get<std::string>().c_str(),
-        cell(waypoint.at("leg_m"), "%.2f", 1e-3).c_str(), cell(waypoint.at("course_deg"), "%.1f").c_str(),
+        waypoint.at("eta").get<std::string>().c_str(), cell(waypoint.at("leg_m"), "%.2f", 1e-3).c_str(),
+        cell(waypoint.at("course_deg"), "%.1f").c_str(),
         cell(waypoint.at("speed_over_ground_m_s"), "%.3f").c_str(),
         cell(waypoint.at("depth_m"), "%.0f").c_str(), cell(waypoint.at("energy_j"), "%.1f", 1e-3).c_str(),
         waypoint.at("propulsion").is_string() ? waypoint.at("propulsion").get<std::string>().c_str() : "-");
@@ -71,8 +71,7 @@ void print_refinement(const json& plan) {
   const std::string stopped_by = refinement.at("stopped_by");
   const auto with_energy = [&](const char* time, const char* energy) {
     const json joules = refinement.value(energy, json());
-    return cell(refinement.at(time), "%.2f h", 1.0 / 3600.0) +
-           (joules.is_null() ? "" : ", " + cell(joules, "%.1f kJ", 1e-3));
+    return duration(refinement.at(time)) + (joules.is_null() ? "" : ", " + cell(joules, "%.1f kJ", 1e-3));
   };
   const bool had_to_lose = refinement.at("after_s") > refinement.at("before_s") &&
                            refinement.value("energy_after_j", 1.0) > refinement.value("energy_before_j", 0.0);
@@ -160,8 +159,7 @@ void print_surfacings(const json& plan) {
   if (surfacing.is_null()) return;
   for (const json& planned : surfacing.at("planned")) {
     std::printf("surface at %s, %s %s, position known to %s m before the fix\n",
-                planned.at("time").get<std::string>().c_str(),
-                geo::latitude_text(planned.at("lat")).c_str(),
+                planned.at("time").get<std::string>().c_str(), geo::latitude_text(planned.at("lat")).c_str(),
                 geo::longitude_text(planned.at("lon")).c_str(),
                 cell(planned.at("position_error_m"), "%.0f").c_str());
   }
@@ -196,11 +194,11 @@ void print_passages(const json& plan) {
 std::vector<std::string> uncertainty_lines(const json& plan) {
   const json& spread = plan.at("uncertainty");
   if (spread.is_null()) return {};
-  std::vector<std::string> lines{
-      cell(spread.at("arrived"), "%.0f") + " of " + cell(spread.at("members"), "%.0f") +
-      " members arrive: mean " + cell(spread.at("mean_s"), "%.2f h", 1.0 / 3600.0) + ", standard deviation " +
-      cell(spread.at("standard_deviation_s"), "%.2f h", 1.0 / 3600.0) + ", 90 % within " +
-      cell(spread.at("quantiles_s").at("p90"), "%.2f h", 1.0 / 3600.0)};
+  std::vector<std::string> lines{cell(spread.at("arrived"), "%.0f") + " of " +
+                                 cell(spread.at("members"), "%.0f") + " members arrive: mean " +
+                                 duration(spread.at("mean_s")) + ", standard deviation " +
+                                 duration(spread.at("standard_deviation_s")) + ", 90 % within " +
+                                 duration(spread.at("quantiles_s").at("p90"))};
   if (!spread.at("chance").is_null()) {
     lines.push_back("chance to be there by " + spread.at("arrive_before").get<std::string>() + ": " +
                     cell(spread.at("chance"), "%.0f %%", 100.0));

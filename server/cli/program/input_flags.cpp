@@ -104,10 +104,10 @@ std::string number_text(double number) {
   return {text, end};
 }
 
-/// The range of a number for the help: ", metres, 0 to 1000".
+/// The range of a number for the help: "; metres, 0 to 1000".
 std::string range_text(const Field& field) {
   const std::string unit{fields::unit_in_words(field)};
-  return (unit.empty() ? "" : ", " + unit) + (field.unit == "s" ? " or as PT2H" : "") + ", " +
+  return (unit.empty() ? "; " : "; " + unit + (field.unit == "s" ? " or as PT2H" : "") + ", ") +
          number_text(field.least) + " to " + number_text(field.most);
 }
 
@@ -153,22 +153,35 @@ std::string form_of(const Field& field) {
         words += (words.empty() ? ": " : ", ") + std::string{word.name};
       return words;
     case Kind::place: return "; for example " + flag_of(field) + "=-53.20,69.20";
-    case Kind::places: return "; may be repeated";
+    case Kind::places: return "; may be repeated; for example " + flag_of(field) + "=-52.50,69.10";
     case Kind::datasets: return "";
     default: return "";
   }
 }
 
-/// The help of a flag: "Kept below the deepest keel when passing under, metres, 0 to 1000; default 20".
+/// What holds if a flag without a default in its field is not given, and else an example of its value.
+std::string without_flag(const Field& field) {
+  for (const std::string_view said : {"for example", "default", "without"})
+    if (field.help.find(said) != std::string_view::npos) return "";
+  if (field.kind == Kind::place || field.kind == Kind::places) return "";
+  const std::string blank = field.form.blank.empty() ? "" : "; default: " + std::string{field.form.blank};
+  if (field.kind == Kind::time) return "; for example 2026-11-20T06:00:00Z" + blank;
+  if (!blank.empty()) return blank;
+  const bool is_number = field.kind == Kind::number || field.kind == Kind::whole_number;
+  if (is_number && field.group == fields::group::vehicle) return "; default: that of the vehicle";
+  return is_number && !field.example.empty() ? "; for example " + std::string{field.example} : "";
+}
+
+/// The help of a flag: "Kept below the deepest keel when passing under; metres, 0 to 1000; default 20".
 std::string help_of(const Field& field) {
   std::string help{field.help};
-  if (!field.flag_sets.empty()) return help + "; the flag selects " + std::string{field.flag_sets};
+  if (!field.flag_sets.empty()) return help + "; this flag chooses " + std::string{field.flag_sets};
   if (field.kind == Kind::boolean && is_usual(field)) {
     help.front() = static_cast<char>(std::tolower(help.front()));
     return "Do not " + help;
   }
   help += form_of(field);
-  return field.usual ? help + std::visit(UsualText{field}, *field.usual) : help;
+  return help + (field.usual ? std::visit(UsualText{field}, *field.usual) : without_flag(field));
 }
 
 /// The value of a flag as a member of the inputs; null if the flag is not given.

@@ -63,6 +63,19 @@ TEST(Help, OfEveryCommandBeginsWithFlagsThatItHasAndEndsWithAnExample) {
   }
 }
 
+TEST(Help, SaysTheUnitTheDefaultOrAnExampleOfEveryNumber) {
+  const Program program;
+  const std::regex number{R"(\n  --[a-z-]+[^\n ]* (?:NUMBER|INTEGER) +([^\n]*(?:\n {10,}[^\n]*)*))"};
+  for (const CommandHelp& command : manual::command_helps()) {
+    std::vector<std::string> words = words_of(command.command);
+    words.emplace_back("--help-all");
+    const std::string help = program.run(words).out;
+    for (std::sregex_iterator at{help.begin(), help.end(), number}, end; at != end; ++at)
+      EXPECT_TRUE(std::regex_search((*at)[1].str(), std::regex{"default|example|without| to [0-9]"}))
+          << command.command << ':' << at->str();
+  }
+}
+
 TEST(Help, OfAPlanFitsOnAScreen) {
   const std::string help = Program{}.run({"plan", "--help"}).out;
 

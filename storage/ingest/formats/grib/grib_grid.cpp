@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "engine/core/shown_text.hpp"
 #include "engine/geo/lon_lat.hpp"
 #include "engine/messages/ingest_grib_messages.hpp"
 #include "storage/ingest/common/gdal_guard.hpp"
@@ -115,7 +116,7 @@ class GridReader {
   /// ", in 12 steps of 0.25 degrees"; empty if the file does not state the step.
   [[nodiscard]] static std::string in_words(std::size_t count, std::optional<double> step) {
     if (!step) return {};
-    return ", in " + std::to_string(count - 1) + " steps of " + number(*step, 9) + " degrees";
+    return ", in " + core::counted(count - 1, "step") + " of " + number(*step, 9) + " degrees";
   }
 
   /// By how much the stated last node may differ from the computed one: increments and nodes are rounded to

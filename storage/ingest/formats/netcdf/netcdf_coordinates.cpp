@@ -127,7 +127,8 @@ Checked<AxisNodes> time_nodes(const NetcdfVariable& coordinate, Messages& warnin
     seconds.push_back(core::unix_seconds(*time));
   }
   if (const double rounding_s = rounding_of_float32_s(coordinate, *values, *decoder); rounding_s > 1.0)
-    warnings.push_back(messages::ingest_netcdf_message<"times-rounded">(number(rounding_s, 2)));
+    warnings.push_back(
+        messages::ingest_netcdf_message<"times-rounded">(static_cast<int>(std::ceil(rounding_s))));
   if (decoder->is_julian()) warnings.push_back(messages::ingest_netcdf_message<"julian-calendar">());
   if (decoder->is_model_calendar())
     warnings.push_back(messages::ingest_netcdf_message<"model-calendar">(coordinate.attribute("calendar")));

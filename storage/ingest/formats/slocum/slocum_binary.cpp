@@ -5,6 +5,7 @@
 #include <cstring>
 #include <vector>
 
+#include "engine/core/shown_text.hpp"
 #include "engine/messages/ingest_track_messages.hpp"
 #include "storage/ingest/formats/slocum/slocum_bytes.hpp"
 #include "storage/ingest/formats/slocum/slocum_header.hpp"
@@ -123,7 +124,7 @@ Checked<SlocumLog> read_slocum_binary(const std::filesystem::path& file, const F
   if (cycles.is_at_end()) return log;
   if (!cycles.was_cut())
     return refuse(messages::ingest_track_message<"binary-log-damaged">(
-        "what follows " + std::to_string(count) + " cycles is no cycle"));
+        "what follows " + core::counted(count, "cycle") + " is no cycle"));
   log.rows_refused = 1;
   log.warnings.push_back(messages::ingest_track_message<"binary-log-without-end">());
   return log;

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/core/shown_text.hpp"
 #include "engine/messages/ingest_grid_messages.hpp"
 #include "engine/messages/ingest_hdf5_messages.hpp"
 #include "engine/messages/ingest_time_messages.hpp"
@@ -296,7 +297,7 @@ Checked<AxisNodes> times_of_station(const Hdf5Group& area, const Hdf5Group& reco
       times_s.push_back(core::unix_seconds(*start) + step_s * static_cast<double>(i));
     if (!times_s.empty() && !is_possible_time(times_s.back()))
       return refuse(messages::ingest_time_message<"time-out-of-range">(
-          std::to_string(count - 1) + " steps of " + number(step_s) + " s after " + stated));
+          core::counted(count - 1, "step") + " of " + number(step_s) + " s after " + stated));
     return sorted_nodes("timeRecordInterval", std::move(times_s));
   }
   const auto table = record.table("values");

@@ -88,7 +88,7 @@ TEST(InputFlags, AreExplainedWithUnitRangeAndWhatIsUsual) {
 
   const std::string help = app.help();
 
-  EXPECT_THAT(help, HasSubstr("when passing under, metres, 0 to 1000; default 20"));
+  EXPECT_THAT(help, HasSubstr("when passing under; metres, 0 to 1000; default 20"));
   EXPECT_THAT(help, HasSubstr("seconds or as PT2H, 0 to 864000; default 864000"));
   EXPECT_THAT(help, HasSubstr("Do not let icebergs drift"));
   EXPECT_THAT(help, HasSubstr("astar, frozen, direct; default astar"));

@@ -411,9 +411,9 @@ TEST_F(CurrentTraps, LandWrittenAsStillWaterBecomesMissing) {
 
 TEST_F(CurrentTraps, ATitleThatSpeaksOfSomethingElseIsTold) {
   for (const auto& [title, what] :
-       {std::pair{"Barotropic tidal currents predicted by TPXO9", "speaks of the tide alone"},
-        {"Standard deviation of daily currents", "speaks of a standard deviation"},
-        {"Stokes drift from a wave model", "speaks of the drift by waves alone"},
+       {std::pair{"Barotropic tidal currents predicted by TPXO9", "names the tide alone"},
+        {"Standard deviation of daily currents", "names a standard deviation"},
+        {"Stokes drift from a wave model", "names the drift by waves alone"},
         {"Daily mean currents of a global ocean forecast", ""},
         {"", ""}}) {
     db_ = repository::open_store_in_memory();
