@@ -3,6 +3,7 @@ import { useMemo } from 'preact/hooks';
 import type { Flight } from '../../contract/simulation_types';
 import type { Plan } from '../../contract/types';
 import { setTime, time_ms } from '../../model/clock';
+import { asSentence } from '../../model/page_words';
 import { crossTrackErrors_m, crossTrackOf, endTitles, isEcho, modeTitles, momentOf, returnsOf, sonarAt, sonarShown_s, stretchesOf } from '../../model/plan/flight';
 import { routeOf } from '../../model/plan/plans';
 import { duration, shortTime } from '../../model/time';
@@ -18,7 +19,7 @@ export function FlightView({ plan, flight }: { plan: Plan; flight: Flight }): VN
   return (
     <section class="flight" aria-label={`Flight ${flight.run + 1}`}>
       <h3>Flight {flight.run + 1}: {endTitles[flight.end]} after {duration(flight.travel_time_s)}</h3>
-      <p class={flight.end === 'arrived' ? 'hint' : 'fault'}>{flight.end_reason}</p>
+      <p class={flight.end === 'arrived' ? 'hint' : 'fault'}>{asSentence(flight.end_reason)}</p>
       <Key />
       <Now plan={plan} flight={flight} />
       <Charts plan={plan} flight={flight} />

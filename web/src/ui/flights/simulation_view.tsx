@@ -2,6 +2,7 @@ import type { VNode } from 'preact';
 import { tracksAddress } from '../../actions/client';
 import { playFlight } from '../../actions/simulating';
 import type { Distribution, Interval, Run, Simulation } from '../../contract/simulation_types';
+import { asSentence } from '../../model/page_words';
 import { endTitles } from '../../model/plan/flight';
 import { playedFlight } from '../../model/plan/simulations';
 import { duration } from '../../model/time';
@@ -89,7 +90,7 @@ function FlightRow({ id, run, kept }: { id: string; run: Run; kept: boolean }): 
       {run.why && (
         <tr class="why">
           <td />
-          <td colSpan={4}><span class="difference">{run.why}{run.could_be_saved === false && ' Even with full knowledge of the ice, the vehicle could not have avoided this.'}</span></td>
+          <td colSpan={4}><span class="difference">{asSentence(run.why)}{run.could_be_saved === false && ' Even with full knowledge of the ice, the vehicle could not have avoided this.'}</span></td>
         </tr>
       )}
     </>
