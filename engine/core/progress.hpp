@@ -35,22 +35,27 @@ inline ProgressCallback never_falling(const ProgressCallback& listener) {
   };
 }
 
-/// Divides the progress of work whose number of parts is not known in advance: each part gets half of the
+/// Divides the progress of work whose number of parts is not known in advance: each part gets a share of the
 /// rest.
 class PartsOfProgress {
  public:
+  /// The share where the first part is mostly the only one. A judgement.
+  static constexpr double mostly_one = 0.8;
+
   /// `whole` and `stage` are borrowed and must outlive the parts.
-  PartsOfProgress(const ProgressCallback& whole, std::string_view stage) : whole_{whole}, stage_{stage} {}
+  PartsOfProgress(const ProgressCallback& whole, std::string_view stage, double of_the_rest = 0.5)
+      : whole_{whole}, stage_{stage}, of_the_rest_{of_the_rest} {}
 
   /// The progress of the next part.
   [[nodiscard]] ProgressCallback next() {
-    const double from = std::exchange(done_, 0.5 * (1.0 + done_));
+    const double from = std::exchange(done_, std::lerp(done_, 1.0, of_the_rest_));
     return part_of(whole_, stage_, from, done_);
   }
 
  private:
   const ProgressCallback& whole_;
   std::string_view stage_;
+  double of_the_rest_;
   double done_{0.0};
 };
 

@@ -237,7 +237,7 @@ inline constexpr auto mission_file_kinds = std::to_array<Kind>({
      .slots = {{{"file", "yo10.ma"}, {"named", "yo"}, {"behavior", "goto_list"}}}},
     {.code = "no_abend",
      .rank = Rank::note,
-     .text = "the file has no behavior abend, so the vehicle refuses to fly it and can only load it to set "
+     .text = "the file has no behavior abend, so the vehicle aborts it at once and can only load it to set "
              "sensors",
      .hint = "Add the behavior abend to fly the mission"},
 

@@ -21,12 +21,18 @@ Result<Plan> plan_arrival(const ocean::Environment& environment, const PlanReque
     const auto roomy = planner::with_more_room(environment, request, wider);
     if (roomy) {
       Result<Plan> in_room = planner::try_to_plan_arrival(roomy->sea, roomy->request, stop, more, executor);
-      if (in_room) return in_room;
+      if (in_room) {
+        progress("done", 1.0);
+        return in_room;
+      }
     }
     plan = tl::unexpected(
         planner::with_area_searched(std::move(plan.error()), roomy ? roomy->request : request));
   }
-  if (plan) return plan;
+  if (plan) {
+    progress("done", 1.0);
+    return plan;
+  }
   return tl::unexpected(
       diagnosis::with_what_would_help(environment, request, std::move(plan.error()), stop, progress));
 }

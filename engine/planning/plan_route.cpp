@@ -15,7 +15,10 @@ Result<Plan> plan_route(const ocean::Environment& environment, const PlanRequest
   cost::SeaShelf shelf;
   Result<Plan> plan = planner::plan_by(planner::all_strategies(),
                                        {environment, request, stop, progress, wider, shelf, executor});
-  if (plan) return plan;
+  if (plan) {
+    progress("done", 1.0);
+    return plan;
+  }
   return tl::unexpected(
       diagnosis::with_what_would_help(environment, request, std::move(plan.error()), stop, progress));
 }

@@ -43,13 +43,17 @@ WindowPlan plan_window(const ocean::Environment& environment, const PlanRequest&
     const PlanRequest best = leaving_at(request, window.plan->departure);
     window.plan = planner::best_of_more_grids(
         std::move(window.plan), {environment, best, stop, more, wider, shelf, executor}, plan_once);
+    if (window.plan) progress("done", 1.0);
     return window;
   }
   if (planner::more_room_may_help(window.plan.error(), environment, request, stop)) {
     const auto roomy = planner::with_more_room(environment, request, wider);
     if (roomy) {
       WindowPlan in_room = planner::try_to_plan_window(roomy->sea, roomy->request, stop, more, executor);
-      if (in_room.plan) return in_room;
+      if (in_room.plan) {
+        progress("done", 1.0);
+        return in_room;
+      }
     }
     window.plan = tl::unexpected(
         planner::with_area_searched(std::move(window.plan.error()), roomy ? roomy->request : request));

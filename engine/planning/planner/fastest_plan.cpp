@@ -163,7 +163,7 @@ bool search_was_cut_short(const Attempt& attempt) {
 /// surfacings was cut short, also on coarser grids, where a search gets further.
 Attempt plan_on_grids(const Task& task) {
   const PlanRequest& request = task.request;
-  core::PartsOfProgress parts{task.progress, ""};
+  core::PartsOfProgress parts{task.progress, "", core::PartsOfProgress::mostly_one};
   Attempt best = best_attempt(task, parts);
   if (request.under_ice.max_time_without_surfacing && !request.spacing_along && search_was_cut_short(best)) {
     const PlanRequest on_coarser = cost::on_coarser_grids(request);

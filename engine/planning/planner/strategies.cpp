@@ -45,7 +45,7 @@ bool may_surface_more_often(const Task& task) { return task.request.under_ice.es
 /// Used if some waypoint of the plan has no escape route. Routes with shorter times between surfacings mostly
 /// have one.
 Result<Plan> plan_surfacing_more_often(const Task& task, const Planning& rest) {
-  core::PartsOfProgress parts{task.progress, ""};
+  core::PartsOfProgress parts{task.progress, "", core::PartsOfProgress::mostly_one};
   const core::ProgressCallback first = parts.next();
   Result<Plan> best = rest(task.telling(first));
   if (best || best.error().reason != Reason::no_escape) return best;

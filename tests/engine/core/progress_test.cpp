@@ -49,7 +49,7 @@ TEST(NeverFalling, DoesNothingWithoutAListener) {
   EXPECT_NO_THROW(never_falling(nobody)("search", 0.5));
 }
 
-TEST(PartsOfProgress, GiveEachPartHalfOfTheRest) {
+TEST(PartsOfProgress, GiveEachPartHalfOfTheRestUnlessToldOtherwise) {
   Reports reports;
   const ProgressCallback listener = into(reports);
   PartsOfProgress parts{listener, ""};
@@ -66,6 +66,13 @@ TEST(PartsOfProgress, GiveEachPartHalfOfTheRest) {
                               {"ends", 0.75},
                               {"begins", 0.75},
                               {"ends", 0.875}}));
+  reports.clear();
+  PartsOfProgress others{listener, "", PartsOfProgress::mostly_one};
+  others.next()("ends", 1.0);
+  others.next()("ends", 1.0);
+  ASSERT_EQ(reports.size(), 2U);
+  EXPECT_DOUBLE_EQ(reports[0].second, 0.8);
+  EXPECT_DOUBLE_EQ(reports[1].second, 0.96);
 }
 
 }  // namespace
