@@ -1,6 +1,7 @@
 import type { VNode } from 'preact';
 import type { Plan } from '../../contract/types';
 import { allHolds_s, holdsOf } from '../../model/plan/holds';
+import { withMoreLegs } from '../../model/plan/leg_trade';
 import { duration, shortTime } from '../../model/time';
 import { belowIce_m, belowIce_s } from '../../model/ice/under_ice';
 import { showIceberg } from '../../model/ice/berg_card';
@@ -88,6 +89,14 @@ const figures: Figure[] = [
     why: () => 'Expected encounters with unreported icebergs',
   },
   {
+    title: 'With more legs',
+    text: (plan) => {
+      const more = withMoreLegs(plan);
+      return more ? `${more.legs} legs, ${duration(more.gain_s)} less` : none;
+    },
+    why: () => 'What the fastest route would gain. The setting “Fewer legs for at most” says how much may be lost',
+  },
+  {
     title: 'Without the weight on encounters',
     text: ({ encounter_trade }) =>
       encounter_trade ? `${duration(encounter_trade.before.travel_time_s)}, ${encounter_trade.before.iceberg_encounters.toFixed(2)} encounters` : none,
@@ -111,7 +120,7 @@ const figures: Figure[] = [
 
 /** The values of a plan; beside another plan with the differences to it, and dimmed while they are computed again. */
 export function Figures({ plan, beside, pending = false }: { plan: Plan; beside?: Plan; pending?: boolean }): VNode {
-  const shown = figures.filter(({ title, text }) => text(plan) !== none || !/^(Energy|Battery|Iceberg enc|Sea ice unk|Time below|Without|Travel time, |Chance|Holds)/.test(title));
+  const shown = figures.filter(({ title, text }) => text(plan) !== none || !/^(Energy|Battery|Iceberg enc|Sea ice unk|Time below|With|Travel time, |Chance|Holds)/.test(title));
   return (
     <dl class={pending ? 'figures-grid pending' : 'figures-grid'} aria-busy={pending}>
       {shown.map((figure) => (
