@@ -157,8 +157,9 @@ void add_check(CLI::App& app, Program& program) {
                    "Mission files, lists in the order in which they are flown; or a folder of them")
       ->required();
   command->add_option("--from", flags->from, "Where the vehicle is, LON,LAT; default: the first waypoint");
-  command->add_option("--plan", flags->plan,
-                      "Id of a stored plan: tell where goto lists and holds differ from it");
+  command->add_option(
+      "--plan", flags->plan,
+      "Id of a stored plan, for example p0123456789ab: tell where goto lists and holds differ from it");
   flags->sea.add_request(*command, "the inputs of process evaluate-route, without a route");
   flags->sea.add(*command, fields::conditions_of_route());
   command->add_flag("--json", flags->json_out, "Answer with one JSON document");

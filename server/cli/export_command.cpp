@@ -207,9 +207,10 @@ void add_export(CLI::App& app, Program& program) {
       "Deepest iceberg to expect, metres; default: the deepest keel that the plan passes below, 20 at "
       "least");
   command
-      ->add_option("--glider", flags->glider,
-                   "Write into gliders/GLIDER/to-glider below --out, the folder of a dockserver "
-                   "(for a Seaglider: into GLIDER)")
+      ->add_option(
+          "--glider", flags->glider,
+          "Name of the glider, for example unit_042: write into gliders/GLIDER/to-glider below --out, "
+          "the folder of a dockserver (for a Seaglider: into GLIDER)")
       ->check(check_glider);
   command->add_flag("--zip", flags->zip, "Write one ZIP archive instead of the files");
   command->add_flag("--force", flags->force, "Replace files that exist");

@@ -47,7 +47,7 @@ void add_serve(CLI::App& app, Program& program) {
   auto options = std::make_shared<ServeOptions>();
   auto* command = app.add_subcommand("serve", "Serve the map, the HTTP API and the guide");
   command->add_option("--listen", options->listen, "ADDR:PORT; port 0: any free port")->capture_default_str();
-  command->add_option("--web", options->web, "Folder of the built map client");
+  command->add_option("--web", options->web, "Folder of the built map client, for example web/dist");
   command->add_option(
       "--watch", options->watch,
       "Folder to watch, for example inbox/: complete files are ingested, then moved to done/ or "
@@ -73,9 +73,11 @@ void add_serve(CLI::App& app, Program& program) {
       "--public-url", options->public_url,
       "Address that links in answers begin with, if clients know the server by another than --listen; for "
       "example https://plan.example.org");
-  auto* cert = command->add_option("--tls-cert", options->tls_cert,
-                                   "Certificate with its chain, PEM; the server then speaks only HTTPS");
-  auto* key = command->add_option("--tls-key", options->tls_key, "Key of the certificate, PEM");
+  auto* cert = command->add_option(
+      "--tls-cert", options->tls_cert,
+      "Certificate with its chain, PEM, for example chain.pem; the server then speaks only HTTPS");
+  auto* key =
+      command->add_option("--tls-key", options->tls_key, "Key of the certificate, PEM, for example key.pem");
   cert->needs(key);
   key->needs(cert);
   command->add_flag("--https-only", options->https_only,

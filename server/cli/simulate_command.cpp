@@ -245,7 +245,8 @@ void add_simulate(CLI::App& app, Program& program) {
                    "--no-avoidance, --workers and --json")
       ->check(CLI::IsMember({codec::random_icebergs}));
   command->add_option("--request", flags->request_file,
-                      "JSON file with inputs of the process simulate-plan, also those without a flag");
+                      "JSON file with inputs of the process simulate-plan, also those without a flag; for "
+                      "example request.json");
   command->add_option("--runs", flags->runs, "Flights, each with errors and icebergs of its own; default 1")
       ->check(CLI::Range(1, codec::most_runs));
   command
@@ -259,9 +260,10 @@ void add_simulate(CLI::App& app, Program& program) {
                     "Without sonar, ADCP and the obstacle avoidance system on board");
   command
       ->add_option("--mission", flags->missions,
-                   "Mission file to fly instead of the exported plan; may be repeated")
+                   "Mission file to fly instead of the exported plan, for example plan.mi; may be repeated")
       ->allow_extra_args(false);
-  command->add_option("--vehicle", flags->vehicle, "Refuse a plan for another vehicle than this");
+  command->add_option("--vehicle", flags->vehicle,
+                      "Refuse a plan for another vehicle than this, for example slocum-g3-200");
   command->add_option("--currents", flags->currents,
                       "True currents: an id, newest or none; default the plan's choice");
   command->add_option("--bathymetry", flags->bathymetry,
@@ -271,7 +273,7 @@ void add_simulate(CLI::App& app, Program& program) {
                       "Icebergs: an id, newest or none; default the plan's choice");
   command->add_option("--record-every", flags->record_every_s,
                       "Seconds between two points of a track; default 60");
-  command->add_option("--name", flags->name, "Name of the simulation");
+  command->add_option("--name", flags->name, "Name of the simulation, for example \"second try\"");
   command->add_option("--workers", flags->workers, "Flights at the same time; does not change the result")
       ->check(CLI::Range(1, 256));
   command->add_option("--out", flags->out, "Folder to write the kept flights into, as NetCDF and GeoJSON");

@@ -8,11 +8,11 @@
 #include "storage/repository/store/migrations.hpp"
 #include "storage/repository/store/store_copy.hpp"
 #include "storage/repository/store/store_lock.hpp"
-#include "storage/sql/shared/roles.hpp"
 #include "storage/sql/schema_number.hpp"
+#include "storage/sql/shared/roles.hpp"
+#include "storage/sql/shared/use_of_store.hpp"
 #include "storage/sql/store_address.hpp"
 #include "storage/sql/store_file.hpp"
-#include "storage/sql/shared/use_of_store.hpp"
 
 namespace floeplan::cli {
 namespace {
@@ -86,17 +86,19 @@ void add_store(CLI::App& app, Program& program) {
 
   auto from = std::make_shared<std::string>();
   auto to = std::make_shared<std::string>();
-  auto* copying = store->add_subcommand("copy", "Copy a whole store into an empty one; nobody may serve either");
-  copying->add_option("FROM", *from, std::string{"The store to copy: "} + sql::store_address_forms)->required();
+  auto* copying =
+      store->add_subcommand("copy", "Copy a whole store into an empty one; nobody may serve either");
+  copying->add_option("FROM", *from, std::string{"The store to copy: "} + sql::store_address_forms)
+      ->required();
   copying->add_option("TO", *to, "The new store, in the same form")->required();
-  copying->callback([from, to, &program] {
-    program.exit_code = copy(address_of("FROM", *from), address_of("TO", *to));
-  });
+  copying->callback(
+      [from, to, &program] { program.exit_code = copy(address_of("FROM", *from), address_of("TO", *to)); });
 
   auto role = std::make_shared<std::optional<std::string>>();
   auto* preparing = store->add_subcommand(
       "prepare", "Make the tables of the store that --store names, or bring them up to date, as their owner");
-  preparing->add_option("--for", *role, "Role that may then use the store, but change no table");
+  preparing->add_option("--for", *role,
+                        "Role that may then use the store, but change no table, for example floeplan_node");
   preparing->callback([role, &program] { program.exit_code = prepare(*role, program); });
 }
 

@@ -90,7 +90,7 @@ const std::map<std::string, OwnWay> own_ways{
       ".ma, .mi, GPX, KML, GeoJSON, CSV, NMEA, Seaglider targets or an IMC plan"}},
     {"/areas",
      {[](json& inputs, const std::string& file) { inputs["areas"] = read_object(file, "file of areas"); },
-      "a GeoJSON file"}},
+      "a GeoJSON file, for example areas.geojson"}},
 };
 
 const OwnWay* own_way_of(const Field& field) {
@@ -267,7 +267,7 @@ json file_member(const std::string& file) {
 }
 
 void InputFlags::add_request(CLI::App& command, const std::string& inputs) {
-  command.add_option("--request", request_file_, "JSON file with " + inputs);
+  command.add_option("--request", request_file_, "JSON file with " + inputs + "; for example request.json");
 }
 
 void InputFlags::add(CLI::App& command, const std::vector<Field>& list) {
