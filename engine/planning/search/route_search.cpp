@@ -200,7 +200,7 @@ RouteSearch search_unbounded(const cost::Sea& sea, const OpenGrid& open, const P
         refused.edges.clear();
         in_time.latest = core::Seconds{likely.arrival_s(grid.goal)};
         const core::Seconds earliest = foresight.open_from(grid.goal, depart + to_goal.remaining(grid.start));
-        if (timed == TimedClosures::waited_for &&
+        if (timed == TimedClosures::waited_for && likely.is_reached(grid.goal) &&
             in_time.latest.count() <= earliest.count() + rounding_of_times_s)
           return likely;  // the goal reopens then: nobody arrives earlier
       }

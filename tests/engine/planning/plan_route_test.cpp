@@ -374,12 +374,23 @@ TEST(PlanRoute, SaysThatAWallOfLandLeavesNoWay) {
                                          return std::abs(place.lon_deg + 53.0) < 0.15 ? -1.0 : 300.0;
                                        })};
 
-  const auto found = plan(environment, eastward_request());
+  PlanRequest request = eastward_request();
+  PlanRequest with_timed_area = request;
+  with_timed_area.zones = {
+      {.name = "later",
+       .kind = ocean::ZoneKind::no_go,
+       .area = {.outer = {{-53.3, 69.01}, {-53.25, 69.01}, {-53.25, 69.03}}, .holes = {}},
+       .from = request.depart,
+       .until = request.depart + core::Seconds{3600.0}}};
+  for (const PlanRequest& each : {request, with_timed_area}) {
+    const auto found = plan(environment, each);
 
-  ASSERT_FALSE(found.has_value());
-  EXPECT_EQ(found.error().reason, Reason::goal_unreachable);
-  EXPECT_LT(found.error().at.lon_deg, -53.0);
-  EXPECT_FALSE(found.error().suggestion().empty());
+    ASSERT_FALSE(found.has_value());
+    EXPECT_EQ(found.error().reason, Reason::goal_unreachable);
+    EXPECT_LT(found.error().at.lon_deg, -53.0);
+    EXPECT_GT(found.error().at.lon_deg, -53.2) << "as far as the wall";
+    EXPECT_FALSE(found.error().suggestion().empty());
+  }
 }
 
 TEST(PlanRoute, SaysThatTheCurrentIsTooStrong) {
@@ -448,9 +459,10 @@ TEST(PlanRoute, NamesTheDepthsThatAGoalLiesOutside) {
   const auto found = plan({.bathymetry = depths}, request_beyond_the_data());
 
   ASSERT_FALSE(found.has_value());
-  EXPECT_EQ(found.error().explanation(),
-            "the goal lies 12.0 km east of the stored bathymetry (area of the data near here: 56° W to 50° W, "
-            "67.5° N to 70.5° N)");
+  EXPECT_EQ(
+      found.error().explanation(),
+      "the goal lies 12.0 km east of the stored bathymetry (area of the data near here: 56° W to 50° W, "
+      "67.5° N to 70.5° N)");
   EXPECT_NE(found.error().suggestion().find("--bathymetry none"), std::string::npos);
 }
 
